@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: MIT
+#include "engine/core/bed_statistics.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace bedmix {
+
+double solidsFlux(const Frame& frame, const Scene& scene) {
+  const FluxSettings& window = *scene.flux;
+  const double halfWidth = scene.particles.diameter;
+  const double floor = floorHeight(scene, window.x);
+  double leftward = 0.0;  // m/s, summed
+  for (std::size_t i = 0; i < frame.size(); ++i) {
+    const double x = frame.position[i].x, y = frame.position[i].y - floor;
+    if (std::abs(x - window.x) <= halfWidth && y >= window.from && y <= window.to)
+      leftward -= frame.velocity[i].x;
+  }
+  const double volume = 2.0 * halfWidth * (window.to - window.from) * scene.bed.thickness;
+  return particleMass(scene) * leftward / volume;
+}
+
+double pressureDrop(const Frame& frame, const GasGrid& grid) {
+  double sum = 0.0;
+  for (int c = 0; c < grid.columns; ++c)
+    sum += grid.dx(c) * static_cast<double>(frame.gas.pressure[grid.cell(c, grid.lowestRow[c])]);
+  return sum / (grid.x.back() - grid.x.front());
+}
+
+double bedHeight(const Frame& frame, const Scene& scene) {
+  if (frame.size() == 0) return 0.0;
+  std::vector<double> height(frame.size());
+  for (std::size_t i = 0; i < frame.size(); ++i)
+    height[i] = frame.position[i].y - floorHeight(scene, frame.position[i].x);
+  const auto at = height.begin() + static_cast<std::ptrdiff_t>(0.95 * static_cast<double>(height.size() - 1));
+  std::nth_element(height.begin(), at, height.end());
+  return *at + 0.5 * scene.particles.diameter;
+}
+
+std::vector<std::uint8_t> tagTracer(TracerRule rule, const std::vector<Vec2f>& position, double width) {
+  const std::size_t n = position.size();
+  std::vector<std::uint8_t> tag(n);
+  if (rule == TracerRule::leftHalf || rule == TracerRule::rightHalf) {
+    for (std::size_t i = 0; i < n; ++i)
+      tag[i] = (position[i].x < width / 2) == (rule == TracerRule::leftHalf);
+    return tag;
+  }
+  std::vector<std::size_t> order(n);
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::size_t a, std::size_t b) { return position[a].y < position[b].y; });
+  for (std::size_t k = 0; k < n; ++k) tag[order[k]] = (k < n / 2) == (rule == TracerRule::lowerHalf);
+  return tag;
+}
+
+}  // namespace bedmix

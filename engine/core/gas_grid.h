@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "engine/core/scene.h"
+
+#include <cstddef>
+#include <vector>
+
+namespace bedmix {
+
+/// Cells of the gas: rectilinear, non-uniform, the distributor a stair of blocked cells. Geometry only; built
+/// from the scene, shared by the solver, the statistics and the pictures.
+struct GasGrid {
+  int columns = 0;
+  int rows = 0;
+  std::vector<double> x;       // columns + 1 faces, m
+  std::vector<double> y;       // rows + 1 faces, m
+  std::vector<int> lowestRow;  // per column: rows below are blocked
+  std::vector<double>
+      inletFlux;           // per column: superficial velocity through its floor, m/s (mean over the column)
+  double thickness = 0.0;  // m
+
+  std::size_t cells() const { return static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows); }
+  std::size_t cell(int column, int row) const {
+    return static_cast<std::size_t>(row) * static_cast<std::size_t>(columns) +
+           static_cast<std::size_t>(column);
+  }
+  bool open(int column, int row) const { return row >= lowestRow[static_cast<std::size_t>(column)]; }
+  double dx(int column) const {
+    return x[static_cast<std::size_t>(column) + 1] - x[static_cast<std::size_t>(column)];
+  }
+  double dy(int row) const { return y[static_cast<std::size_t>(row) + 1] - y[static_cast<std::size_t>(row)]; }
+  double volume(int column, int row) const { return dx(column) * dy(row) * thickness; }
+};
+
+/// The scene must have gas. A column is blocked up to the row face nearest to the distributor at the column's
+/// centre, which turns 18 deg under columns and rows of 12 mm into 0-0-1-1-1-2-2-2.
+GasGrid makeGasGrid(const Scene& scene);
+
+}  // namespace bedmix

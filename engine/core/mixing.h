@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "engine/core/frame.h"
+#include "engine/core/scene.h"
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+namespace bedmix {
+
+/// Equal cells over the bed's width and height in which tracer is counted (Tian et al. 2007, Fig. 5).
+struct SamplingGrid {
+  int columns = 4;
+  int rows = 15;
+  int minParticles = 21;  // a cell with fewer is not used
+  double width = 0.0;     // m
+  double height = 0.0;    // m
+};
+SamplingGrid samplingGrid(const Scene& scene);
+
+/// Whole particles per cell, row-major, bottom row first. Particles outside the grid are in no cell.
+struct CellCounts {
+  std::vector<std::int32_t> all;
+  std::vector<std::int32_t> tracer;
+};
+/// A particle on an edge belongs to the cell to its right or above, on the outermost edges to the last cell.
+CellCounts countCells(const Frame& frame, const SamplingGrid& grid);
+
+/// One row of mixing.csv. What is not defined at an instant (no used cell; no variance; one species only) is
+/// empty.
+struct MixingSample {
+  double time = 0.0;                       // s
+  std::optional<double> lacey;             // Eq. (14)
+  std::optional<double> ashton;            // Eq. (15)
+  std::optional<double> stddev;            // S, Eq. (13)
+  std::optional<double> tracerMean;        // mean tracer fraction of the used cells
+  int cells = 0;                           // used cells
+  std::optional<double> particlesPerCell;  // mean over the used cells
+  double countedFraction = 0.0;            // particles in used cells over all particles
+};
+
+/// Lacey's and Ashton's indices after Tian et al. (2007), Eqs (13) to (15). Integer counts only, so the order
+/// of the particles cannot matter; positions are the frame's floats, so that live and replayed samples agree
+/// to the bit.
+MixingSample mixingSample(const Frame& frame, const SamplingGrid& grid);
+
+/// The same from counts: the one place where the indices are computed.
+MixingSample mixingSample(const CellCounts& counts, int minParticles, double time, std::size_t particles);
+
+}  // namespace bedmix

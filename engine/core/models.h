@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <optional>
+#include <span>
+#include <string_view>
+
+namespace bedmix {
+
+/// One selectable model: what a scene calls it, what it computes, where it comes from.
+struct ModelInfo {
+  std::string_view name;
+  std::string_view formula;
+  std::string_view citation;
+};
+
+/// How particles are advanced in time.
+enum class Integrator { velocityVerlet, rk4 };
+/// Momentum exchange between gas and particles.
+enum class DragLaw { ergunWenYu, ergunWenYuPrinted, ergun, wenYu };
+/// How pressure and velocity are brought together in one gas step.
+enum class GasScheme { projection, simple };
+/// Time level of convection and diffusion in the gas.
+enum class TimeScheme { crankNicolson, implicitEuler };
+/// What particles meet at the upper end of the bed.
+enum class BedTop { open, lid };
+/// How particles see an inclined distributor.
+enum class FloorShape { straight, stair };
+/// How a run begins.
+enum class Arrangement { settled, drop };
+/// Which particles carry the tracer colour.
+enum class TracerRule { leftHalf, rightHalf, lowerHalf, upperHalf };
+
+/// The one visible table of each family, in the order of its enumeration; the first entry is the default.
+template <class E>
+inline constexpr std::array<ModelInfo, 0> modelTable{};
+
+template <>
+inline constexpr std::array modelTable<Integrator>{
+    ModelInfo{"velocity-verlet", "x += v dt + a dt^2/2, v += (a_old + a_new) dt/2, forces at v + a dt",
+              "Swope et al. (1982), J. Chem. Phys. 76:637"},
+    ModelInfo{"rk4", "classical 4th-order Runge-Kutta, tangential springs as state",
+              "Tian et al. (2007), Fuel Process. Technol. 88:187"},
+};
+template <>
+inline constexpr std::array modelTable<DragLaw>{
+    ModelInfo{"ergun-wen-yu",
+              "eps <= 0.8: 150 (1-eps)^2 mu/(eps d^2) + 1.75 (1-eps) rho |u-v|/d; above: "
+              "3/4 C_D eps (1-eps) rho |u-v|/d eps^-2.65",
+              "Tian et al. (2007), Eqs (3a), (3b), (4), read consistently with Eqs (2) and (9)"},
+    ModelInfo{"ergun-wen-yu-printed",
+              "as ergun-wen-yu, but 3/4 C_D (1-eps) rho |u-v|/d eps^-2.65 above eps 0.8",
+              "Tian et al. (2007), Eq. (3b) without the factor eps"},
+    ModelInfo{"ergun", "150 (1-eps)^2 mu/(eps d^2) + 1.75 (1-eps) rho |u-v|/d at any eps",
+              "Ergun (1952), Chem. Eng. Prog. 48:89"},
+    ModelInfo{"wen-yu", "3/4 C_D eps (1-eps) rho |u-v|/d eps^-2.65 at any eps",
+              "Wen & Yu (1966), Chem. Eng. Prog. Symp. Ser. 62:100"},
+};
+template <>
+inline constexpr std::array modelTable<GasScheme>{
+    ModelInfo{"projection", "one implicit momentum predictor, then pressure corrections (PISO)",
+              "Issa (1986), J. Comput. Phys. 62:40"},
+    ModelInfo{"simple", "predictor and under-relaxed pressure correction repeated until both residuals fall",
+              "Patankar (1980), Numerical Heat Transfer and Fluid Flow; used by Tian et al. (2007)"},
+};
+template <>
+inline constexpr std::array modelTable<TimeScheme>{
+    ModelInfo{"crank-nicolson", "convection and diffusion half at the old, half at the new time level",
+              "Tian et al. (2007)"},
+    ModelInfo{"implicit-euler", "convection and diffusion at the new time level", "backward Euler"},
+};
+template <>
+inline constexpr std::array modelTable<BedTop>{
+    ModelInfo{"open", "particles may rise above the gas grid and fall back; coupling tapers to zero there",
+              ""},
+    ModelInfo{"lid", "a wall for particles at the bed's height that lets the gas through", ""},
+};
+template <>
+inline constexpr std::array modelTable<FloorShape>{
+    ModelInfo{"straight", "particles meet one straight incline", ""},
+    ModelInfo{"stair", "particles meet the stair of blocked gas cells", ""},
+};
+template <>
+inline constexpr std::array modelTable<Arrangement>{
+    ModelInfo{"settled", "dropped at random without gas and brought to rest before t = 0", ""},
+    ModelInfo{"drop", "random positions without overlap, falling from t = 0 on", ""},
+};
+template <>
+inline constexpr std::array modelTable<TracerRule>{
+    ModelInfo{"left-half", "x < width/2 at the start", "Tian et al. (2007)"},
+    ModelInfo{"right-half", "x >= width/2 at the start", ""},
+    ModelInfo{"lower-half", "the half of the particles that lies lowest at the start", ""},
+    ModelInfo{"upper-half", "the half of the particles that lies highest at the start", ""},
+};
+
+template <class E>
+constexpr std::string_view modelName(E e) {
+  return modelTable<E>[static_cast<std::size_t>(e)].name;
+}
+template <class E>
+constexpr std::optional<E> findModel(std::string_view name) {
+  for (std::size_t i = 0; i < modelTable<E>.size(); ++i)
+    if (modelTable<E>[i].name == name) return static_cast<E>(i);
+  return std::nullopt;
+}
+
+}  // namespace bedmix

@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "engine/core/models.h"
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+// A scene says everything a run depends on. Each settings struct below is one TOML table; its defaults stand
+// here and nowhere else, its keys, units, ranges and meanings in scene_description.h. A table behind
+// std::optional switches an effect on by being there. SI units; a unit that is not SI is part of the name.
+
+namespace bedmix {
+
+struct BedSettings {
+  double width = 0.096;      // m
+  double height = 0.42;      // m
+  double thickness = 0.004;  // m
+  BedTop top = BedTop::open;
+};
+
+struct FloorSettings {
+  double inclinationDeg = 0.0;  // rises to the right
+  FloorShape shape = FloorShape::straight;
+};
+
+struct ParticleSettings {
+  std::int64_t count = 1000;
+  double diameter = 0.004;  // m
+  double density = 1500.0;  // kg/m3
+};
+
+struct FrictionSettings {
+  double coefficient = 0.3;
+  double stiffnessRatio = 2.0 / 7.0;  // tangential over normal spring
+  double dampingRatio = 2.0 / 7.0;    // tangential over normal dashpot
+};
+
+struct ContactSettings {
+  double stiffness = 2000.0;          // N/m
+  std::optional<double> restitution;  // exactly one of
+  std::optional<double> damping;      // these two; kg/s
+  std::optional<FrictionSettings> friction;
+};
+
+struct TimeSettings {
+  double duration = 10.0;  // s
+  double step = 1e-5;      // s, of the particles
+  Integrator integrator = Integrator::velocityVerlet;
+};
+
+struct StartSettings {
+  Arrangement arrangement = Arrangement::settled;
+};
+
+struct TracerSettings {
+  TracerRule rule = TracerRule::leftHalf;
+};
+
+/// `count` cells of `size` metres each, a stretch of a gas grid.
+struct GridSpan {
+  std::int64_t count = 1;
+  double size = 0.0;  // m
+};
+
+/// Gas enters the floor between x = from and x = to with this velocity (volume flux per area of the inlet).
+struct Inlet {
+  double from = 0.0;                  // m
+  double to = 0.0;                    // m
+  std::optional<double> velocity;     // m/s, exactly one of
+  std::optional<double> velocityUmf;  // these two; multiples of the minimum fluidization velocity
+};
+
+struct GasGridSettings {
+  std::vector<GridSpan> columns;  // left to right
+  std::vector<GridSpan> rows;     // bottom to top
+};
+
+struct GasSettings {
+  double density = 1.205;      // kg/m3
+  double viscosity = 1.82e-5;  // Pa s
+  double step = 1e-4;          // s, a multiple of the particles' step
+  GasScheme scheme = GasScheme::projection;
+  TimeScheme timeScheme = TimeScheme::crankNicolson;
+  DragLaw drag = DragLaw::ergunWenYu;
+  double tolerance = 1e-6;           // relative residual at which the scheme's outer loop ends
+  std::int64_t maxIterations = 200;  // of the outer loop
+  std::optional<double> minimumFluidizationVelocity;  // m/s; Wen-Yu's correlation where absent
+  GasGridSettings grid;
+  std::vector<Inlet> inlets;
+};
+
+struct SamplingSettings {
+  std::int64_t columns = 4;
+  std::int64_t rows = 15;
+  std::int64_t minParticles = 21;  // a cell with fewer is not used
+  double interval = 0.01;          // s, between frames and samples
+};
+
+/// The upright window the solids flux is measured through; heights count from the floor at x.
+struct FluxSettings {
+  double x = 0.0;     // m
+  double from = 0.0;  // m
+  double to = 0.1;    // m
+};
+
+struct LimitSettings {
+  double warnOverlap = 0.01;  // of a diameter
+  double maxOverlap = 0.1;    // of a diameter: the run stops
+};
+
+struct Scene {
+  std::string name;  // of the file or the bundled scene, not a key
+  std::string title;
+  std::uint64_t seed = 1;
+  double gravity = 9.81;  // m/s2, downward
+  BedSettings bed;
+  FloorSettings floor;
+  ParticleSettings particles;
+  ContactSettings contacts;
+  TimeSettings time;
+  StartSettings start;
+  TracerSettings tracer;
+  std::optional<GasSettings> gas;
+  SamplingSettings sampling;
+  std::optional<FluxSettings> flux;
+  LimitSettings limits;
+};
+
+// What follows from the settings.
+
+double particleMass(const Scene& scene);    // kg
+double particleVolume(const Scene& scene);  // m3
+/// Normal dashpot, kg/s, between two particles and between a particle and a wall. From `restitution`, each
+/// gets the value that gives it; from `damping`, both get that.
+double pairDamping(const Scene& scene);
+double wallDamping(const Scene& scene);
+/// The dashpot, kg/s, at which two bodies of reduced mass m (kg) on a spring k (N/m) rebound with restitution
+/// e: zeta = -ln e / sqrt(pi^2 + ln^2 e), eta = 2 zeta sqrt(m k).
+double dampingFor(double restitution, double stiffness, double reducedMass);
+/// 2 pi sqrt(m/k), s: Tian et al. (2007), Eq. (10).
+double contactTimeScale(const Scene& scene);
+/// Minimum fluidization velocity, m/s, after Wen & Yu (1966): Re = sqrt(33.7^2 + 0.0408 Ar) - 33.7; or the
+/// scene's own.
+double minimumFluidizationVelocity(const Scene& scene);
+/// Superficial velocity of an inlet, m/s.
+double inletVelocity(const Scene& scene, const Inlet& inlet);
+/// Height of the straight distributor at x, m.
+double floorHeight(const Scene& scene, double x);
+
+/// Whole numbers of particle steps that make one frame, one gas step, the whole run; times that do not divide
+/// are refused by the scene reader.
+std::int64_t stepsPerFrame(const Scene& scene);
+std::int64_t stepsPerGasStep(const Scene& scene);
+std::int64_t totalSteps(const Scene& scene);
+/// Time of a step, s. Divides by the step rate where that is whole, so that step 7000 of 1e-5 s is 0.07 and
+/// not 0.07000000000000001.
+double timeOfStep(const Scene& scene, std::int64_t step);
+
+}  // namespace bedmix

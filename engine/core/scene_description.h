@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "engine/core/scene.h"
+
+#include <limits>
+#include <string_view>
+
+// The one description of every key a scene may hold: name, unit, range, meaning. The reader, the writer,
+// --help, the panels and the file attributes are all driven by it: a visitor is called once per key, in the
+// order of the file.
+
+namespace bedmix {
+
+inline constexpr double infinity = std::numeric_limits<double>::infinity();
+
+/// Closed interval; `aboveMin` excludes its lower end.
+struct Range {
+  double min = -infinity;
+  double max = infinity;
+  bool aboveMin = false;
+};
+inline constexpr Range positive{0.0, infinity, true};
+inline constexpr Range notNegative{0.0, infinity};
+
+struct Key {
+  std::string_view name;
+  std::string_view unit;  // "" for a number without one, a text or a table
+  Range range;
+  std::string_view meaning;
+  bool required = false;
+};
+
+template <class V>
+void describe(BedSettings& s, V& visit) {
+  visit(Key{"width", "m", positive, "inner width"}, s.width);
+  visit(Key{"height", "m", positive, "height of the gas grid"}, s.height);
+  visit(Key{"thickness", "m", positive, "depth of the slab, at least a particle's diameter"}, s.thickness);
+  visit(Key{"top", "", {}, "what particles meet at the upper end"}, s.top);
+}
+
+template <class V>
+void describe(FloorSettings& s, V& visit) {
+  visit(Key{"inclination_deg", "deg", {0.0, 60.0}, "slope of the distributor, rising to the right"},
+        s.inclinationDeg);
+  visit(Key{"shape", "", {}, "how particles see an inclined distributor"}, s.shape);
+}
+
+template <class V>
+void describe(ParticleSettings& s, V& visit) {
+  visit(Key{"count", "", {0.0, 1e8}, "number of particles", true}, s.count);
+  visit(Key{"diameter", "m", positive, "diameter of the spheres", true}, s.diameter);
+  visit(Key{"density", "kg/m3", positive, "density of the solid", true}, s.density);
+}
+
+template <class V>
+void describe(FrictionSettings& s, V& visit) {
+  visit(Key{"coefficient", "", notNegative,
+            "Coulomb's coefficient: the tangential force stays below it times the normal one"},
+        s.coefficient);
+  visit(Key{"stiffness_ratio", "", {0.0, 1.0, true}, "tangential over normal spring"}, s.stiffnessRatio);
+  visit(Key{"damping_ratio", "", {0.0, 1.0}, "tangential over normal dashpot"}, s.dampingRatio);
+}
+
+template <class V>
+void describe(ContactSettings& s, V& visit) {
+  visit(Key{"stiffness", "N/m", positive, "normal spring, of pairs and walls", true}, s.stiffness);
+  visit(Key{"restitution", "", {0.0, 1.0, true}, "rebound over approach speed; or give damping"},
+        s.restitution);
+  visit(Key{"damping", "kg/s", notNegative, "normal dashpot of pairs and walls; or give restitution"},
+        s.damping);
+  visit(Key{"friction", "", {}, "switches on tangential forces and rotation"}, s.friction);
+}
+
+template <class V>
+void describe(TimeSettings& s, V& visit) {
+  visit(Key{"duration", "s", positive, "simulated time", true}, s.duration);
+  visit(Key{"step", "s", positive, "time step of the particles"}, s.step);
+  visit(Key{"integrator", "", {}, "how particles are advanced"}, s.integrator);
+}
+
+template <class V>
+void describe(StartSettings& s, V& visit) {
+  visit(Key{"arrangement", "", {}, "how the run begins"}, s.arrangement);
+}
+
+template <class V>
+void describe(TracerSettings& s, V& visit) {
+  visit(Key{"rule", "", {}, "which particles are black"}, s.rule);
+}
+
+template <class V>
+void describe(GasGridSettings& s, V& visit) {
+  visit(Key{"columns",
+            "m",
+            {},
+            "[count, size] stretches from left to right; must add up to the bed's width",
+            true},
+        s.columns);
+  visit(Key{"rows",
+            "m",
+            {},
+            "[count, size] stretches from bottom to top; must add up to the bed's height",
+            true},
+        s.rows);
+}
+
+template <class V>
+void describe(Inlet& s, V& visit) {
+  visit(Key{"from", "m", notNegative, "left end on the floor", true}, s.from);
+  visit(Key{"to", "m", notNegative, "right end on the floor", true}, s.to);
+  visit(Key{"velocity", "m/s", notNegative, "superficial velocity in the inlet; or give velocity_umf"},
+        s.velocity);
+  visit(
+      Key{"velocity_umf", "u_mf", notNegative, "the same in multiples of the minimum fluidization velocity"},
+      s.velocityUmf);
+}
+
+template <class V>
+void describe(GasSettings& s, V& visit) {
+  visit(Key{"density", "kg/m3", positive, "density of the gas"}, s.density);
+  visit(Key{"viscosity", "Pa s", positive, "dynamic viscosity of the gas"}, s.viscosity);
+  visit(Key{"step", "s", positive, "time step of the gas, a multiple of the particles'"}, s.step);
+  visit(Key{"scheme", "", {}, "pressure-velocity coupling"}, s.scheme);
+  visit(Key{"time_scheme", "", {}, "time level of convection and diffusion"}, s.timeScheme);
+  visit(Key{"drag", "", {}, "drag law"}, s.drag);
+  visit(Key{"tolerance", "", {0.0, 0.1, true}, "relative residual at which the scheme's iterations end"},
+        s.tolerance);
+  visit(Key{"max_iterations", "", {1.0, 1e5}, "limit of the scheme's iterations"}, s.maxIterations);
+  visit(Key{"minimum_fluidization_velocity", "m/s", positive, "u_mf; Wen & Yu's correlation where absent"},
+        s.minimumFluidizationVelocity);
+  visit(Key{"grid", "", {}, "cells of the gas grid", true}, s.grid);
+  visit(Key{"inlets", "", {}, "where gas enters the floor", true}, s.inlets);
+}
+
+template <class V>
+void describe(SamplingSettings& s, V& visit) {
+  visit(Key{"columns", "", {1.0, 1e4}, "sampling cells across the bed"}, s.columns);
+  visit(Key{"rows", "", {1.0, 1e4}, "sampling cells up the bed"}, s.rows);
+  visit(Key{"min_particles", "", {1.0, 1e8}, "cells with fewer particles are not used"}, s.minParticles);
+  visit(Key{"interval", "s", positive, "time between samples, which are also the recorded frames"},
+        s.interval);
+}
+
+template <class V>
+void describe(FluxSettings& s, V& visit) {
+  visit(Key{"x", "m", notNegative, "position of the upright window", true}, s.x);
+  visit(Key{"from", "m", notNegative, "its lower end above the floor there"}, s.from);
+  visit(Key{"to", "m", positive, "its upper end above the floor there"}, s.to);
+}
+
+template <class V>
+void describe(LimitSettings& s, V& visit) {
+  visit(Key{"warn_overlap", "", {0.0, 1.0, true}, "overlap over diameter that is reported"}, s.warnOverlap);
+  visit(Key{"max_overlap", "", {0.0, 1.0, true}, "overlap over diameter that ends the run"}, s.maxOverlap);
+}
+
+template <class V>
+void describe(Scene& s, V& visit) {
+  visit(Key{"title", "", {}, "one line for people"}, s.title);
+  visit(Key{"seed", "", {0.0, 9.2e18}, "of the random start"}, s.seed);
+  visit(Key{"gravity", "m/s2", notNegative, "acceleration, downward"}, s.gravity);
+  visit(Key{"bed", "", {}, "the container", true}, s.bed);
+  visit(Key{"floor", "", {}, "the distributor"}, s.floor);
+  visit(Key{"particles", "", {}, "the solids", true}, s.particles);
+  visit(Key{"contacts", "", {}, "linear spring and dashpot", true}, s.contacts);
+  visit(Key{"time", "", {}, "duration and step", true}, s.time);
+  visit(Key{"start", "", {}, "how the run begins"}, s.start);
+  visit(Key{"tracer", "", {}, "what mixes with what"}, s.tracer);
+  visit(Key{"gas", "", {}, "switches on the gas"}, s.gas);
+  visit(Key{"sampling", "", {}, "cells and interval of the mixing indices"}, s.sampling);
+  visit(Key{"flux", "", {}, "switches on the solids flux through an upright window"}, s.flux);
+  visit(Key{"limits", "", {}, "when a run is stopped"}, s.limits);
+}
+
+}  // namespace bedmix

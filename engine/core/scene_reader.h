@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "engine/core/diagnostic.h"
+#include "engine/core/scene.h"
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace bedmix {
+
+/// A `--set path=value` of the command line: a dotted key and TOML text, e.g. {"gas.step", "5e-5"}.
+struct Override {
+  std::string path;
+  std::string value;
+};
+
+/// Reads a scene from TOML text. Strict: syntax, unknown keys (with the key that was probably meant), wrong
+/// types, values out of range, contradictions between keys; all of them at once, each with file:line:column.
+/// `file` is the name messages use; overrides are applied before anything is checked and are located as
+/// "--set path".
+Result<Scene> readScene(std::string_view toml, const std::string& file,
+                        const std::vector<Override>& overrides = {});
+
+/// The scene as TOML with every default written out. readScene(writeScene(s)) == s, bit for bit.
+std::string writeScene(const Scene& scene);
+
+/// What is wrong with settings that are each in range but do not fit together; readScene includes these.
+struct Contradiction {
+  std::string path;  // dotted key it is reported at
+  std::string message;
+};
+std::vector<Contradiction> contradictions(const Scene& scene);
+
+}  // namespace bedmix

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "engine/core/frame.h"
+#include "engine/core/scene.h"
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace bedmix {
+
+/// The stages of a step, in their order; one timer each.
+enum class Stage { neighbours, voidage, drag, gas, contacts, integrate, count };
+inline constexpr std::array<std::string_view, static_cast<std::size_t>(Stage::count)> stageNames{
+    "neighbours", "voidage", "drag", "gas", "contacts", "integrate"};
+using StageSeconds = std::array<double, static_cast<std::size_t>(Stage::count)>;
+
+/// What the run has met so far.
+struct StepReport {
+  double largestOverlap = 0.0;  // of a diameter
+  std::int64_t largestOverlapParticle = -1;
+  std::int64_t gasIterationsLargest = 0;
+  std::int64_t gasStepsNotConverged = 0;
+  double largestMassResidual = 0.0;   // of the gas, relative to the inflow
+  std::int64_t aboveGridLargest = 0;  // particles above the gas grid at one time
+};
+
+/// A bed and its gas, advanced step by step: the list of stages and nothing else. Two simulations of one
+/// scene are the same to the bit. Not thread-safe; one thread owns it (see Worker).
+class Simulation {
+ public:
+  /// Arranges the particles (settling takes seconds for the paper's bed) and fills the gas. `threads` never
+  /// changes a
+  explicit Simulation(const Scene& scene, int threads = 1);
+  ~Simulation();
+  Simulation(Simulation&&) noexcept;
+  Simulation& operator=(Simulation&&) noexcept;
+
+  /// Takes `steps` particle steps. Empty when the solution is valid; else what went wrong (which particle,
+  /// which stage, what time, what to do), and the simulation must not be advanced further.
+  [[nodiscard]] std::optional<std::string> advance(std::int64_t steps);
+
+  std::int64_t step() const;
+  double time() const;
+  std::int64_t gasSteps() const;
+  FramePtr frame() const;
+  /// Of the whole double state, in the order of the ids.
+  std::uint64_t stateHash() const;
+  const StageSeconds& stageSeconds() const;
+  const StepReport& report() const;
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace bedmix
