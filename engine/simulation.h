@@ -33,8 +33,8 @@ struct StepReport {
 /// scene are the same to the bit. Not thread-safe; one thread owns it (see Worker).
 class Simulation {
  public:
-  /// Arranges the particles (settling takes seconds for the paper's bed) and fills the gas. `threads` never
-  /// changes a
+  /// Arranges the particles (settling takes seconds for the paper's bed) and fills the gas with still gas. `threads`
+  /// never changes a result.
   explicit Simulation(const Scene& scene, int threads = 1);
   ~Simulation();
   Simulation(Simulation&&) noexcept;
