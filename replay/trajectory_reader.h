@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "engine/core/diagnostic.h"
+#include "engine/core/frame.h"
+#include "engine/core/scene.h"
+
+#include <cstddef>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace bedmix {
+
+/// The frames of a trajectory file, the same to the bit as those that were written. Memory does not grow with
+/// the length of the run. All HDF5 of a process belongs in one thread.
+class TrajectoryReader final : public FrameSource {
+ public:
+  /// `path` is a trajectory.h5 or the run folder it lies in. Fails on a file that is missing, foreign,
+  /// truncated, of another version, inconsistent, or without a frame. A last frame that a killed run left
+  /// unfinished is not counted.
+  static Result<TrajectoryReader> open(const std::filesystem::path& path);
+  ~TrajectoryReader() override;
+  TrajectoryReader(TrajectoryReader&&) noexcept;
+  TrajectoryReader& operator=(TrajectoryReader&&) noexcept;
+
+  /// The scene as it was run, every default resolved.
+  const Scene& scene() const;
+  /// Times of the frames, s, strictly increasing. As many as there are frames, at least one.
+  const std::vector<double>& times() const;
+
+  /// Frame `index`, below times().size(). Fails where the file is damaged there or holds what is no number.
+  Result<FramePtr> frame(std::size_t index);
+
+  /// The frames in order. Null after the last, and where one cannot be read: then failure() says why.
+  FramePtr next() override;
+  const std::optional<Diagnostic>& failure() const;
+
+ private:
+  struct State;
+  explicit TrajectoryReader(std::unique_ptr<State> state);
+
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace bedmix

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "engine/core/scene.h"
+#include "replay/file_sink.h"
+
+#include <filesystem>
+#include <memory>
+#include <string>
+
+namespace bedmix {
+
+/// The program a file comes from.
+struct Provenance {
+  std::string version;
+  std::string commit;
+};
+
+/// Records frames in an H5MD 1.1 file (de Buyl, Colberg & Höfling 2014, Comput. Phys. Commun. 185:1546), laid
+/// out as trajectory_layout.h says. Each frame is flushed, so that whatever kills the program leaves a file
+/// that is readable up to the last frame. All HDF5 of a process belongs in one thread.
+class TrajectoryWriter final : public FileSink {
+ public:
+  /// Makes the file anew. Fails where it cannot be made.
+  static Result<TrajectoryWriter> create(const std::filesystem::path& path, const Scene& scene,
+                                         const Provenance& provenance);
+  ~TrajectoryWriter() override;
+  TrajectoryWriter(TrajectoryWriter&&) noexcept;
+  TrajectoryWriter& operator=(TrajectoryWriter&&) noexcept;
+
+ private:
+  struct State;
+  explicit TrajectoryWriter(std::unique_ptr<State> state);
+  std::optional<Diagnostic> write(const Frame& frame) override;
+
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace bedmix
