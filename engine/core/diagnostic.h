@@ -15,10 +15,15 @@ struct SourceLocation {
   int column = 0;
 };
 
-/// One thing that is wrong with an input: where, what and why, and what to do about it.
+/// Whose trouble it is, which decides the exit code: the user's input, a file or disk, or something this
+/// machine lacks for drawing and encoding.
+enum class Trouble { input, file, unavailable };
+
+/// One thing that is wrong: where, what and why, and what to do about it.
 struct Diagnostic {
   SourceLocation at;
   std::string message;
+  Trouble trouble = Trouble::input;
 };
 
 /// "file:line:column: message", the form editors understand.

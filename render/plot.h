@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "engine/core/diagnostic.h"
+
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace bedmix {
+
+/// A column of a run's series, and what a legend calls it.
+struct PlotColumn {
+  std::string_view name;
+  std::string_view label;
+};
+
+/// One kind of figure: which columns of which file of the run folder it draws over time.
+struct PlotKind {
+  std::string_view name;
+  std::string_view file;  // e.g. "mixing.csv"
+  std::span<const PlotColumn> columns;
+  std::string_view yLabel;
+  std::optional<double> yMin, yMax;  // else as the data
+};
+/// mixing (Fig. 6), compare, flux (Figs 7 and 10), pressure; the first is the default.
+std::span<const PlotKind> plotKinds();
+Result<const PlotKind*> findPlotKind(std::string_view name);
+
+/// y over time x, s; NaN in y leaves a gap.
+struct Curve {
+  std::string label;
+  std::vector<double> x;
+  std::vector<double> y;
+};
+
+/// Draws curves with gnuplot into a .png, .svg or .pdf file, which gets its name when it is complete. Fails
+/// as `unavailable` without gnuplot. The same curves give the same bytes.
+Result<Done> writePlot(const std::string& path, const PlotKind& kind, std::span<const Curve> curves);
+
+/// Version of the gnuplot that is found, or why there is none.
+Result<std::string> probePlotter();
+
+}  // namespace bedmix

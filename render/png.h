@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "engine/core/diagnostic.h"
+#include "render/image.h"
+
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace bedmix {
+
+struct PngOptions {
+  bool small = false;  // a figure: best compression; else quick, for frames
+  std::vector<std::pair<std::string, std::string>> text;  // tEXt: keyword (at most 79 characters) and value
+  std::optional<double> dpi;                              // pHYs
+};
+
+/// Writes 8-bit RGB; alpha is left out. Goes to `path`.part first and gets its name when all of it is on
+/// disk; nothing stands under `path` after a failure that did not stand there before. No time stamp: the same
+/// picture gives the same bytes.
+Result<Done> writePng(const std::string& path, const Image& image, const PngOptions& options = {});
+
+/// Any PNG, as 8-bit RGBA.
+Result<Image> readPng(const std::string& path);
+
+}  // namespace bedmix
