@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "engine/core/gas_grid.h"
+#include "engine/core/scene.h"
+#include "engine/gas/gas_fields.h"
+#include "engine/gas/momentum.h"
+#include "engine/gas/pressure_solver.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace bedmix {
+
+/// How one gas step went.
+struct GasStepReport {
+  bool solved = true;     // false: the equations are no longer finite
+  bool converged = true;  // false: the outer loop met its limit (SIMPLE)
+  std::int64_t iterations = 1;
+  double massResidual = 0.0;  // largest |imbalance| of a cell over the total inflow
+};
+
+/// Incompressible gas in the voids: volume-averaged continuity and momentum, Tian et al. (2007), Eqs (8) and
+/// (9), on a staggered grid. No slip at the walls, given flux at the floor, zero gradient and zero pressure
+/// at the top.
+class GasSolver {
+ public:
+  /// Gas at rest, voidage 1.
+  explicit GasSolver(const Scene& scene);
+
+  const GasGrid& grid() const { return grid_; }
+  const FaceLayout& layout() const { return layout_; }
+  const GasFields& fields() const { return fields_; }
+  MomentumExchange& exchange() { return exchange_; }
+  const MomentumExchange& exchange() const { return exchange_; }
+
+  /// Sets the voidage the gas starts with, so that the first step sees no jump.
+  void startWith(const std::vector<double>& voidage);
+  /// One step to the time at which `voidage` holds, with the particles' exchange() at that time.
+  GasStepReport advance(const std::vector<double>& voidage);
+
+ private:
+  GasStepReport project();
+  GasStepReport simple();
+  void setInflow();
+  /// b of the pressure correction: minus each cell's imbalance, m3/s. Returns the largest over the inflow.
+  double imbalance(std::vector<double>& b) const;
+  /// Solves for a pressure correction that closes continuity and applies it to the velocities, and
+  /// `pressureShare` of it to the pressure.
+  void correct(double pressureShare);
+
+  GasGrid grid_;
+  FaceLayout layout_;
+  GasFields fields_;
+  MomentumExchange exchange_;
+  std::vector<double> oldVoidage_;
+  MomentumSystem momentum_;
+  PressureSolver pressureSolver_;
+  GasScheme scheme_;
+  double step_, tolerance_;
+  std::int64_t maxIterations_;
+  double inflow_ = 0.0;  // m3/s
+  std::vector<double> imbalance_, correction_, coefficient_, change_, effect_;
+};
+
+}  // namespace bedmix

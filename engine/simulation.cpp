@@ -1,0 +1,204 @@
+// SPDX-License-Identifier: MIT
+#include "engine/simulation.h"
+
+#include "engine/core/bed_statistics.h"
+#include "engine/core/hash.h"
+#include "engine/core/walls.h"
+#include "engine/coupling/exchange.h"
+#include "engine/coupling/voidage.h"
+#include "engine/dem/packing.h"
+#include "engine/dem/particle_solver.h"
+#include "engine/gas/gas_solver.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+
+namespace bedmix {
+
+namespace {
+
+/// Below this the drag laws mean nothing and the gas equations lose their diagonal; spheres in a slab of
+/// their own diameter reach 0.40 at the densest packing without overlap.
+constexpr double voidageFloor = 0.15;
+
+/// Adds the time since the last call to a stage.
+class StageClock {
+ public:
+  explicit StageClock(StageSeconds& seconds) : seconds_(seconds), last_(Clock::now()) {}
+  void lap(Stage stage) {
+    const Clock::time_point now = Clock::now();
+    seconds_[static_cast<std::size_t>(stage)] += std::chrono::duration<double>(now - last_).count();
+    last_ = now;
+  }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  StageSeconds& seconds_;
+  Clock::time_point last_;
+};
+
+/// The gas and all that ties it to the particles. One allocation, since its parts point at each other.
+struct CoupledGas {
+  GasSolver solver;
+  VoidageField voidage;
+  Exchange exchange;
+
+  CoupledGas(const Scene& scene, const Particles& particles)
+      : solver(scene), voidage(scene, solver.grid()), exchange(scene, solver, voidage) {
+    voidage.update(particles.x, particles.y);
+    solver.startWith(voidage.voidage());
+  }
+};
+
+GasFrame gasFrame(const GasSolver& gas) {
+  const GasFields& fields = gas.fields();
+  const std::size_t cells = gas.grid().cells();
+  GasFrame out{std::vector<float>(cells, 1.0f), std::vector<float>(cells), std::vector<Vec2f>(cells)};
+  for (int c : gas.layout().openCells) {
+    const auto& [left, right, bottom, top] = gas.layout().cellFaces[c];
+    out.voidage[c] = static_cast<float>(fields.voidage[c]);
+    out.pressure[c] = static_cast<float>(fields.pressure[c]);
+    out.velocity[c] = toFloat({0.5 * (fields.velocity[left] + fields.velocity[right]),
+                               0.5 * (fields.velocity[bottom] + fields.velocity[top])});
+  }
+  return out;
+}
+
+}  // namespace
+
+struct Simulation::State {
+  Scene scene;
+  std::unique_ptr<ParticleSolver> solver;
+  std::unique_ptr<CoupledGas> gas;
+  std::vector<std::uint8_t> species;
+  std::vector<std::int32_t> id;
+  std::int64_t step = 0, gasSteps = 0;
+  StageSeconds seconds{};
+  StepReport report;
+
+  std::optional<std::string> gasStep();
+  std::optional<std::string> particleSteps(std::int64_t n);
+};
+
+std::optional<std::string> Simulation::State::gasStep() {
+  const Particles& particles = solver->particles();
+  StageClock clock(seconds);
+  gas->voidage.update(particles.x, particles.y);
+  report.aboveGridLargest = std::max(report.aboveGridLargest, gas->voidage.aboveGrid());
+  const double lowest = gas->voidage.lowest();
+  clock.lap(Stage::voidage);
+  if (!(lowest > voidageFloor))
+    return fmt::format(
+        "voidage {:.3g} at t = {:.6g} s is below {}: particles overlap too far for the gas equations; "
+        "use a stiffer contact (contacts.stiffness) or a smaller time.step",
+        lowest, timeOfStep(scene, step), voidageFloor);
+
+  gas->exchange.evaluateDrag(particles, gas->solver.exchange());
+  clock.lap(Stage::drag);
+  const GasStepReport r = gas->solver.advance(gas->voidage.voidage());
+  ++gasSteps;
+  report.gasIterationsLargest = std::max(report.gasIterationsLargest, r.iterations);
+  report.gasStepsNotConverged += !r.converged;
+  report.largestMassResidual = std::max(report.largestMassResidual, r.massResidual);
+  clock.lap(Stage::gas);
+  if (!r.solved)
+    return fmt::format("the gas has no finite solution at t = {:.6g} s; use a smaller gas.step",
+                       timeOfStep(scene, step));
+
+  gas->exchange.applyForces(solver->particles());
+  clock.lap(Stage::drag);
+  return std::nullopt;
+}
+
+std::optional<std::string> Simulation::State::particleSteps(std::int64_t n) {
+  const DemSeconds before = solver->seconds();
+  const std::optional<DemTrouble> trouble = solver->advance(n);
+  const DemSeconds& after = solver->seconds();
+  seconds[static_cast<std::size_t>(Stage::neighbours)] += after.neighbours - before.neighbours;
+  seconds[static_cast<std::size_t>(Stage::contacts)] += after.contacts - before.contacts;
+  seconds[static_cast<std::size_t>(Stage::integrate)] += after.integrate - before.integrate;
+  step += n;
+  report.largestOverlap = solver->largestOverlap();
+  report.largestOverlapParticle = solver->largestOverlapParticle();
+  if (!trouble) return std::nullopt;
+  const double time = timeOfStep(scene, step);
+  if (trouble->nonFinite)
+    return fmt::format("particle {} is no longer finite ({}) at t = {:.6g} s; use a smaller time.step",
+                       trouble->particle, trouble->stage, time);
+  return fmt::format(
+      "particle {} overlaps by {:.3g} of a diameter ({}) at t = {:.6g} s, more than limits.max_overlap = "
+      "{}; use a stiffer contact (contacts.stiffness), a smaller time.step, or a wider limit",
+      trouble->particle, trouble->value, trouble->stage, time, scene.limits.maxOverlap);
+}
+
+Simulation::Simulation(const Scene& scene, int /*threads*/) : state_(std::make_unique<State>()) {
+  State& s = *state_;
+  s.scene = scene;
+  s.solver = ParticleSolver::make(scene, packBed(scene), bedWalls(scene));
+  const Particles& particles = s.solver->particles();
+  if (scene.gas) s.gas = std::make_unique<CoupledGas>(scene, particles);
+  std::vector<Vec2f> position;
+  for (std::size_t i = 0; i < particles.size(); ++i) {
+    position.push_back(toFloat({particles.x[i], particles.y[i]}));
+    s.id.push_back(static_cast<std::int32_t>(i));
+  }
+  s.species = tagTracer(scene.tracer.rule, position, scene.bed.width);
+}
+
+Simulation::~Simulation() = default;
+Simulation::Simulation(Simulation&&) noexcept = default;
+Simulation& Simulation::operator=(Simulation&&) noexcept = default;
+
+std::optional<std::string> Simulation::advance(std::int64_t steps) {
+  State& s = *state_;
+  const std::int64_t every = s.gas ? stepsPerGasStep(s.scene) : steps;
+  for (std::int64_t left = steps; left > 0;) {
+    // Gas steps fall on whole multiples of their length, wherever a call begins.
+    const std::int64_t chunk = std::min(left, every - (s.gas ? s.step % every : 0));
+    if (auto trouble = s.particleSteps(chunk)) return trouble;
+    left -= chunk;
+    if (s.gas && s.step % every == 0)
+      if (auto trouble = s.gasStep()) return trouble;
+  }
+  return std::nullopt;
+}
+
+std::int64_t Simulation::step() const { return state_->step; }
+double Simulation::time() const { return timeOfStep(state_->scene, state_->step); }
+std::int64_t Simulation::gasSteps() const { return state_->gasSteps; }
+const StageSeconds& Simulation::stageSeconds() const { return state_->seconds; }
+const StepReport& Simulation::report() const { return state_->report; }
+
+FramePtr Simulation::frame() const {
+  const State& s = *state_;
+  const Particles& p = s.solver->particles();
+  auto frame = std::make_shared<Frame>();
+  frame->step = s.step;
+  frame->time = time();
+  frame->species = s.species;
+  frame->id = s.id;
+  for (std::size_t i = 0; i < p.size(); ++i) {
+    frame->position.push_back(toFloat({p.x[i], p.y[i]}));
+    frame->velocity.push_back(toFloat({p.vx[i], p.vy[i]}));
+  }
+  for (double w : p.spin) frame->angularVelocity.push_back(static_cast<float>(w));
+  if (s.gas) frame->gas = gasFrame(s.gas->solver);
+  return frame;
+}
+
+std::uint64_t Simulation::stateHash() const {
+  const State& s = *state_;
+  StateHash hash;
+  hash.add(static_cast<std::uint64_t>(s.step));
+  s.solver->hashInto(hash);
+  if (s.gas) {
+    hash.add(s.gas->solver.fields().velocity);
+    hash.add(s.gas->solver.fields().pressure);
+    hash.add(s.gas->solver.fields().voidage);
+  }
+  return hash.value();
+}
+
+}  // namespace bedmix
