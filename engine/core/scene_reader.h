@@ -10,7 +10,9 @@
 
 namespace bedmix {
 
-/// A `--set path=value` of the command line: a dotted key and TOML text, e.g. {"gas.step", "5e-5"}.
+/// A `--set path=value` of the command line: a dotted key and TOML text, e.g. {"gas.step", "5e-5"}. Elements
+/// of lists go by number ("gas.inlets.0.velocity_umf"), a bare word is a text, and an empty value removes the
+/// key, or the whole table with the effect it switches on.
 struct Override {
   std::string path;
   std::string value;
@@ -30,6 +32,7 @@ std::string writeScene(const Scene& scene);
 struct Contradiction {
   std::string path;  // dotted key it is reported at
   std::string message;
+  std::vector<std::string> concerns;  // the other keys it follows from
 };
 std::vector<Contradiction> contradictions(const Scene& scene);
 

@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: MIT
+#include "engine/core/scene_keys.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <optional>
+#include <type_traits>
+
+namespace bedmix {
+
+namespace {
+
+/// Visits default settings and notes each key below `prefix`.
+class KeyCollector {
+ public:
+  explicit KeyCollector(std::vector<SceneKey>& into, std::string prefix = "")
+      : into_(into), prefix_(std::move(prefix)) {}
+
+  void operator()(const Key& key, double& v) { add(key, "number", key.required ? "" : tomlNumber(v)); }
+  void operator()(const Key& key, std::int64_t& v) { add(key, "whole number", wholeDefault(key, v)); }
+  void operator()(const Key& key, std::uint64_t& v) { add(key, "whole number", wholeDefault(key, v)); }
+  void operator()(const Key& key, std::string& v) { add(key, "text", tomlString(v)); }
+  void operator()(const Key& key, std::vector<GridSpan>&) { add(key, "list of [count, size]", ""); }
+
+  void operator()(const Key& key, std::vector<Inlet>&) {
+    Inlet inlet;
+    descend(key, "list of tables", inlet);
+  }
+
+  template <class T>
+  void operator()(const Key& key, std::optional<T>&) {
+    T value{};
+    if constexpr (std::is_same_v<T, double>)
+      add(key, "number", "");
+    else
+      descend(key, "table", value);
+  }
+
+  template <class T>
+  void operator()(const Key& key, T& value) {
+    if constexpr (std::is_enum_v<T>) {
+      std::string names;
+      for (const ModelInfo& m : modelTable<T>)
+        names += fmt::format("{}\"{}\"", names.empty() ? "" : ", ", m.name);
+      add(key, names, fmt::format("\"{}\"", modelName(value)));
+    } else {
+      descend(key, "table", value);
+    }
+  }
+
+ private:
+  template <class T>
+  static std::string wholeDefault(const Key& key, T value) {
+    return key.required ? "" : fmt::format("{}", value);
+  }
+
+  void add(const Key& key, std::string type, std::string defaultValue) {
+    into_.push_back({prefix_ + std::string(key.name), key, std::move(type), std::move(defaultValue)});
+  }
+
+  template <class T>
+  void descend(const Key& key, std::string type, T& value) {
+    add(key, std::move(type), "");
+    KeyCollector inner(into_, prefix_ + std::string(key.name) + '.');
+    describe(value, inner);
+  }
+
+  std::vector<SceneKey>& into_;
+  std::string prefix_;
+};
+
+}  // namespace
+
+std::vector<SceneKey> sceneKeys() {
+  std::vector<SceneKey> keys;
+  Scene defaults;
+  KeyCollector collect(keys);
+  describe(defaults, collect);
+  return keys;
+}
+
+std::string rangeText(const Key& key) {
+  const Range& r = key.range;
+  const std::string unit = key.unit.empty() ? "" : fmt::format(" {}", key.unit);
+  const bool below = std::isfinite(r.min), above = std::isfinite(r.max);
+  if (below && above)
+    return fmt::format("{} {} {} {}{}", r.aboveMin ? "above" : "from", r.min,
+                       r.aboveMin ? "and at most" : "to", r.max, unit);
+  if (below) return fmt::format("{} {}{}", r.aboveMin ? "above" : "at least", r.min, unit);
+  if (above) return fmt::format("at most {}{}", r.max, unit);
+  return "";
+}
+
+std::string tomlNumber(double value) {
+  std::string text = fmt::format("{}", value);
+  if (text.find_first_of(".en") == std::string::npos) text += ".0";
+  return text;
+}
+
+std::string tomlString(const std::string& text) {
+  std::string quoted = "\"";
+  for (const char c : text) {
+    const auto code = static_cast<unsigned char>(c);
+    if (c == '"' || c == '\\')
+      quoted += fmt::format("\\{}", c);
+    else if (code < 0x20 || code == 0x7f)
+      quoted += fmt::format("\\u{:04X}", code);
+    else
+      quoted += c;
+  }
+  return quoted + '"';
+}
+
+}  // namespace bedmix

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "engine/core/scene_description.h"
+
+#include <string>
+#include <vector>
+
+namespace bedmix {
+
+/// One key a scene may hold, for messages, help and documentation.
+struct SceneKey {
+  std::string path;          // dotted: "gas.inlets.from"
+  Key key;                   // name, unit, range, meaning
+  std::string type;          // "number", "whole number", "text", "table", ... or the names to choose from
+  std::string defaultValue;  // as TOML; empty where there is none
+};
+
+/// Every key of every table, in the order of the file.
+std::vector<SceneKey> sceneKeys();
+
+/// "above 0 m", "from 0 to 1", "" without limits.
+std::string rangeText(const Key& key);
+
+/// A number as TOML writes it, shortest round trip.
+std::string tomlNumber(double value);
+
+/// A text as a TOML basic string, quoted and escaped.
+std::string tomlString(const std::string& text);
+
+}  // namespace bedmix

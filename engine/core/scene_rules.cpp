@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: MIT
+#include "engine/core/scene_reader.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace bedmix {
+
+namespace {
+
+using std::numbers::pi;
+
+/// Relative difference below which two lengths or times given in decimals count as equal.
+constexpr double rounding = 1e-9;
+
+class Rules {
+ public:
+  explicit Rules(const Scene& scene) : scene_(scene) {}
+
+  std::vector<Contradiction> broken() {
+    bed();
+    contacts();
+    time();
+    if (scene_.gas) gas(*scene_.gas);
+    if (scene_.flux) flux(*scene_.flux);
+    if (scene_.limits.warnOverlap > scene_.limits.maxOverlap)
+      add("limits.warn_overlap", {"limits.max_overlap"},
+          "the warning lies above the limit that ends the run");
+    return std::move(broken_);
+  }
+
+ private:
+  void add(std::string path, std::vector<std::string> concerns, std::string message) {
+    broken_.push_back({std::move(path), std::move(message), std::move(concerns)});
+  }
+
+  void bed() {
+    const BedSettings& bed = scene_.bed;
+    const double d = scene_.particles.diameter;
+    if (bed.thickness < d * (1.0 - rounding))
+      add("bed.thickness", {"particles.diameter"},
+          fmt::format("the bed is {} m thick, but its particles are {} m; give at least a diameter",
+                      bed.thickness, d));
+    if (bed.width < d)
+      add("bed.width", {"particles.diameter"},
+          fmt::format("the bed is {} m wide, narrower than a particle ({} m)", bed.width, d));
+
+    const double rise = floorHeight(scene_, bed.width);
+    if (rise + d > bed.height)
+      return add(
+          "floor.inclination_deg", {"bed", "particles.diameter"},
+          fmt::format("the distributor rises to {:.4g} m at the right wall and leaves no room below {} m; "
+                      "lower the slope or raise the bed",
+                      rise, bed.height));
+    if (scene_.floor.shape == FloorShape::stair && scene_.floor.inclinationDeg > 0.0 && !scene_.gas)
+      add("floor.shape", {"gas"},
+          "a stair is made of the gas grid's blocked cells, and there is no [gas]; "
+          "use \"straight\"");
+    if (bed.top != BedTop::lid) return;
+    const double area = bed.width * (bed.height - 0.5 * rise);
+    const double room = std::floor(pi / (2.0 * std::sqrt(3.0)) * area / (0.25 * pi * d * d));
+    if (static_cast<double>(scene_.particles.count) > room)
+      add("particles.count", {"bed", "floor", "particles.diameter"},
+          fmt::format(
+              "{} particles do not fit under the lid: even the closest packing holds {:.0f}; take fewer, "
+              "a taller bed or top = \"open\"",
+              scene_.particles.count, room));
+  }
+
+  void contacts() {
+    const ContactSettings& c = scene_.contacts;
+    if (c.restitution && c.damping)
+      add("contacts.damping", {"contacts.restitution"},
+          fmt::format("restitution and damping both set the dashpot: {} and {} kg/s contradict each other or "
+                      "repeat each other; keep one",
+                      *c.restitution, *c.damping));
+    if (!c.restitution && !c.damping)
+      add("contacts.restitution", {"contacts.damping"},
+          "[contacts] needs either restitution (rebound over approach speed) or damping (kg/s)");
+  }
+
+  void time() {
+    const TimeSettings& t = scene_.time;
+    const double scale = contactTimeScale(scene_);
+    if (t.step * 14.0 > scale * (1.0 + rounding))
+      add("time.step", {"contacts.stiffness", "particles.diameter", "particles.density"},
+          fmt::format("a step of {} s is T/{:.3g} of the contact time scale T = 2 pi sqrt(m/k) = {:.4g} s; "
+                      "contacts are resolved from T/14 on, and a bed over-compacts at T/10. "
+                      "Take at most {:.3g} s, or a softer spring",
+                      t.step, scale / t.step, scale, scale / 14.0));
+    wholeMultiple("time.duration", t.duration, "time.step", t.step);
+    wholeMultiple("sampling.interval", scene_.sampling.interval, "time.step", t.step);
+    if (scene_.gas) wholeMultiple("gas.step", scene_.gas->step, "time.step", t.step);
+  }
+
+  void wholeMultiple(const std::string& path, double value, const std::string& ofPath, double of) {
+    const double ratio = value / of;
+    const double whole = std::max(1.0, std::round(ratio));
+    if (std::abs(ratio - whole) <= rounding * whole) return;
+    add(path, {ofPath},
+        fmt::format(
+            "{} = {} s is {:.6g} steps of {} s, but must be a whole number of them; the nearest is {:.9g} s",
+            path, value, ratio, of, whole * of));
+  }
+
+  void gas(const GasSettings& gas) {
+    spansFill("gas.grid.columns", gas.grid.columns, "bed.width", scene_.bed.width);
+    spansFill("gas.grid.rows", gas.grid.rows, "bed.height", scene_.bed.height);
+    for (std::size_t i = 0; i < gas.inlets.size(); ++i) inlet(gas, i);
+  }
+
+  void spansFill(const std::string& path, const std::vector<GridSpan>& spans, const std::string& ofPath,
+                 double length) {
+    double sum = 0.0;
+    for (const GridSpan& s : spans) sum += static_cast<double>(s.count) * s.size;
+    if (std::abs(sum - length) > rounding * length)
+      add(path, {ofPath},
+          fmt::format("the cells add up to {:.9g} m, but {} is {:.9g} m", sum, ofPath, length));
+  }
+
+  void inlet(const GasSettings& gas, std::size_t index) {
+    const Inlet& in = gas.inlets[index];
+    const std::string path = fmt::format("gas.inlets.{}", index);
+    if (in.from >= in.to)
+      return add(path + ".to", {path + ".from"},
+                 fmt::format("the inlet ends at {} m, not right of where it begins ({} m)", in.to, in.from));
+    if (in.to > scene_.bed.width * (1.0 + rounding))
+      add(path + ".to", {"bed.width"},
+          fmt::format("the inlet ends at {} m, outside the floor, which is {} m wide", in.to,
+                      scene_.bed.width));
+    for (std::size_t other = 0; other < index; ++other) {
+      const Inlet& o = gas.inlets[other];
+      if (std::min(in.to, o.to) - std::max(in.from, o.from) > rounding * scene_.bed.width)
+        add(path, {fmt::format("gas.inlets.{}", other)},
+            fmt::format("the inlet from {} to {} m overlaps the one from {} to {} m", in.from, in.to, o.from,
+                        o.to));
+    }
+    if (in.velocity && in.velocityUmf)
+      add(path + ".velocity_umf", {path + ".velocity"},
+          "velocity and velocity_umf both set the inlet's velocity; keep one");
+    if (!in.velocity && !in.velocityUmf)
+      add(path + ".velocity", {path + ".velocity_umf"},
+          "the inlet needs either velocity (m/s) or velocity_umf (multiples of u_mf)");
+    const bool hasOwnUmf = gas.minimumFluidizationVelocity.has_value();
+    const bool rises = scene_.particles.density <= gas.density || scene_.gravity <= 0.0;
+    if (in.velocityUmf && !hasOwnUmf && rises)
+      add(path + ".velocity_umf", {"particles.density", "gas.density", "gravity"},
+          "particles that do not sink in the gas have no minimum fluidization velocity; give velocity in "
+          "m/s");
+  }
+
+  void flux(const FluxSettings& window) {
+    const double d = scene_.particles.diameter, width = scene_.bed.width;
+    if (window.from >= window.to)
+      add("flux.to", {"flux.from"},
+          fmt::format("the window ends at {} m, not above where it begins ({} m)", window.to, window.from));
+    if (window.x - d < 0.0 || window.x + d > width)
+      add("flux.x", {"bed.width", "particles.diameter"},
+          fmt::format("the strip of a diameter to either side of x = {} m leaves the bed, which is {} m wide",
+                      window.x, width));
+    const double floor = floorHeight(scene_, window.x);
+    if (floor + window.to > scene_.bed.height * (1.0 + rounding))
+      add("flux.to", {"flux.x", "bed", "floor"},
+          fmt::format("the window reaches {:.4g} m (the floor there is at {:.4g} m), above the bed's {} m",
+                      floor + window.to, floor, scene_.bed.height));
+  }
+
+  const Scene& scene_;
+  std::vector<Contradiction> broken_;
+};
+
+}  // namespace
+
+std::vector<Contradiction> contradictions(const Scene& scene) { return Rules(scene).broken(); }
+
+}  // namespace bedmix

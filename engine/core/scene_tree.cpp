@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: MIT
+#include "engine/core/scene_tree.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <charconv>
+
+namespace bedmix {
+
+namespace {
+
+bool isAtOrBelow(std::string_view path, std::string_view ancestor) {
+  return path.starts_with(ancestor) && (path.size() == ancestor.size() || path[ancestor.size()] == '.');
+}
+
+std::vector<std::string_view> segments(std::string_view path) {
+  std::vector<std::string_view> parts;
+  while (true) {
+    const std::size_t dot = path.find('.');
+    parts.push_back(path.substr(0, dot));
+    if (dot == std::string_view::npos) return parts;
+    path.remove_prefix(dot + 1);
+  }
+}
+
+/// Element `name` of a table, or element number `name` of a list; null where there is none.
+toml::node* child(toml::node& parent, std::string_view name) {
+  if (auto* table = parent.as_table()) return table->get(name);
+  if (auto* list = parent.as_array()) {
+    std::size_t index = 0;
+    const auto [end, error] = std::from_chars(name.data(), name.data() + name.size(), index);
+    if (error == std::errc{} && end == name.data() + name.size()) return list->get(index);
+  }
+  return nullptr;
+}
+
+void assign(toml::node& parent, std::string_view name, const toml::node& value) {
+  if (auto* table = parent.as_table()) {
+    table->insert_or_assign(name, value);
+  } else if (auto* list = parent.as_array()) {
+    const auto index = std::find_if(list->begin(), list->end(),
+                                    [&](const toml::node& n) { return &n == child(*list, name); });
+    list->replace(index, value);
+  }
+}
+
+}  // namespace
+
+void Problems::add(const std::string& path, const toml::source_region& at, std::string message) {
+  spoiled_.insert(path);
+  list_.push_back({locate(path, at), std::move(message)});
+}
+
+void Problems::add(const Override& override, std::string message) {
+  spoiled_.insert(override.path);
+  list_.push_back({{"--set " + override.path}, std::move(message)});
+}
+
+void Problems::spoil(std::string path) { spoiled_.insert(std::move(path)); }
+
+bool Problems::isSpoiled(std::string_view path) const {
+  return std::any_of(spoiled_.begin(), spoiled_.end(), [&](const std::string& bad) {
+    return isAtOrBelow(path, bad) || isAtOrBelow(bad, path);
+  });
+}
+
+std::vector<Diagnostic> Problems::inFileOrder() {
+  std::stable_sort(list_.begin(), list_.end(), [](const Diagnostic& a, const Diagnostic& b) {
+    return std::pair(a.at.line, a.at.column) < std::pair(b.at.line, b.at.column);
+  });
+  return std::move(list_);
+}
+
+SourceLocation Problems::locate(std::string_view path, const toml::source_region& at) const {
+  const std::string_view table = path.substr(0, path.rfind('.'));
+  for (const Override& o : overrides_) {
+    const bool openedTable = !at.begin && isAtOrBelow(o.path, table);
+    if (isAtOrBelow(path, o.path) || openedTable) return {"--set " + o.path};
+  }
+  return {file_, static_cast<int>(at.begin.line), static_cast<int>(at.begin.column)};
+}
+
+Result<toml::table> parseToml(std::string_view text, const std::string& file) {
+  try {
+    return toml::parse(text);
+  } catch (const toml::parse_error& error) {
+    const toml::source_position at = error.source().begin;
+    return Diagnostic{{file, static_cast<int>(at.line), static_cast<int>(at.column)},
+                      fmt::format("this is not TOML: {}", error.description())};
+  }
+}
+
+void applyOverride(toml::table& root, const Override& override, Problems& problems) {
+  const std::vector<std::string_view> parts = segments(override.path);
+  if (std::any_of(parts.begin(), parts.end(), [](std::string_view p) { return p.empty(); }))
+    return problems.add(override, "a path is made of keys with dots between them, e.g. gas.step=5e-5");
+
+  toml::node* parent = &root;
+  for (std::size_t i = 0; i + 1 < parts.size(); ++i) {
+    toml::node* next = child(*parent, parts[i]);
+    if (!next && parent->is_table()) {
+      if (override.value.empty()) return;
+      next = &parent->as_table()->insert(parts[i], toml::table{}).first->second;
+    }
+    if (!next || !(next->is_table() || next->is_array()))
+      return problems.add(override,
+                          fmt::format("there is no table or list element \"{}\" on this path", parts[i]));
+    parent = next;
+  }
+
+  const std::string_view name = parts.back();
+  if (parent->is_array() && !child(*parent, name))
+    return problems.add(override, fmt::format("the list has {} elements, counted from 0; there is no \"{}\"",
+                                              parent->as_array()->size(), name));
+  if (override.value.empty()) {
+    if (parent->is_table())
+      parent->as_table()->erase(name);
+    else
+      problems.add(override, "an element of a list cannot be removed; give the whole list");
+    return;
+  }
+  const auto parsed = parseToml("value = " + override.value, "");
+  if (parsed && parsed->size() == 1)
+    assign(*parent, name, *parsed->get("value"));
+  else if (std::isalpha(static_cast<unsigned char>(override.value.front())))
+    assign(*parent, name, toml::value<std::string>(override.value));
+  else
+    problems.add(override,
+                 fmt::format("\"{}\" is not a TOML value; write e.g. 1.5, true, \"text\" or [[8, 0.012]]",
+                             override.value));
+}
+
+toml::source_region sourceOf(const toml::table& root, std::string_view path) {
+  const toml::node* node = &root;
+  for (const std::string_view part : segments(path)) {
+    const toml::node* next = child(const_cast<toml::node&>(*node), part);
+    if (!next) break;
+    node = next;
+  }
+  return node->source();
+}
+
+}  // namespace bedmix

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: MIT
+#include "engine/core/scene_description.h"
+#include "engine/core/scene_keys.h"
+#include "engine/core/scene_reader.h"
+
+#include <fmt/format.h>
+
+#include <iterator>
+#include <optional>
+#include <type_traits>
+
+namespace bedmix {
+
+namespace {
+
+/// Writes one table: its own keys first, then the tables inside it, as TOML wants them.
+class TableWriter {
+ public:
+  explicit TableWriter(std::string path = "") : path_(std::move(path)) {}
+
+  void operator()(const Key& key, double& v) { line(key, tomlNumber(v)); }
+  void operator()(const Key& key, std::int64_t& v) { line(key, fmt::format("{}", v)); }
+  void operator()(const Key& key, std::uint64_t& v) { line(key, fmt::format("{}", v)); }
+  void operator()(const Key& key, std::string& v) { line(key, tomlString(v)); }
+
+  void operator()(const Key& key, std::vector<GridSpan>& spans) {
+    std::string list;
+    for (const GridSpan& s : spans)
+      list += fmt::format("{}[{}, {}]", list.empty() ? "" : ", ", s.count, tomlNumber(s.size));
+    line(key, '[' + list + ']');
+  }
+
+  void operator()(const Key& key, std::vector<Inlet>& inlets) {
+    if (inlets.empty()) line(key, "[]");
+    for (Inlet& inlet : inlets) table("[[{}]]", key, inlet);
+  }
+
+  template <class T>
+  void operator()(const Key& key, std::optional<T>& value) {
+    if (value) (*this)(key, *value);
+  }
+
+  template <class T>
+  void operator()(const Key& key, T& value) {
+    if constexpr (std::is_enum_v<T>)
+      line(key, fmt::format("\"{}\"", modelName(value)));
+    else
+      table("[{}]", key, value);
+  }
+
+  std::string text() const { return keys_ + tables_; }
+
+ private:
+  void line(const Key& key, const std::string& value) {
+    const std::string entry = fmt::format("{} = {}", key.name, value);
+    const std::string_view comma = key.unit.empty() ? "" : ", ";
+    fmt::format_to(std::back_inserter(keys_), "{:<32}  # {}{}{}\n", entry, key.unit, comma, key.meaning);
+  }
+
+  template <class T>
+  void table(std::string_view header, const Key& key, T& value) {
+    const std::string path = path_.empty() ? std::string(key.name) : fmt::format("{}.{}", path_, key.name);
+    TableWriter inner(path);
+    describe(value, inner);
+    tables_ += '\n' + fmt::format(fmt::runtime(header), path) + '\n' + inner.text();
+  }
+
+  std::string path_, keys_, tables_;
+};
+
+}  // namespace
+
+std::string writeScene(const Scene& scene) {
+  Scene copy = scene;  // a description visits settings it may change
+  TableWriter writer;
+  describe(copy, writer);
+  return writer.text();
+}
+
+}  // namespace bedmix

@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: MIT
+#include "engine/core/scene_reader.h"
+
+#include <gtest/gtest.h>
+
+#include <functional>
+#include <string>
+
+namespace bedmix {
+namespace {
+
+/// A scene without contradictions, to be spoiled by each test in one way.
+Scene soundScene() {
+  Scene s;
+  s.bed = {0.048, 0.12, 0.004, BedTop::open};
+  s.particles = {60, 0.004, 1500.0};
+  s.contacts.restitution = 0.9;
+  s.time = {0.05, 1e-5, Integrator::velocityVerlet};
+  s.gas.emplace();
+  s.gas->grid = {{{4, 0.012}}, {{10, 0.012}}};
+  s.gas->inlets = {{0.0, 0.024, {}, 2.0}, {0.024, 0.048, 1.5, {}}};
+  s.flux = FluxSettings{0.024, 0.0, 0.04};
+  return s;
+}
+
+struct Spoiled {
+  const char* name;
+  std::function<void(Scene&)> spoil;
+  const char* path;
+  const char* reason;
+};
+
+class Rule : public ::testing::TestWithParam<Spoiled> {};
+
+TEST(Rules, SoundSceneBreaksNone) { EXPECT_TRUE(contradictions(soundScene()).empty()); }
+
+TEST_P(Rule, IsReportedOnceWithItsReason) {
+  Scene scene = soundScene();
+  GetParam().spoil(scene);
+  const auto found = contradictions(scene);
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_EQ(found[0].path, GetParam().path);
+  EXPECT_NE(found[0].message.find(GetParam().reason), std::string::npos) << found[0].message;
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Scene, Rule,
+    ::testing::Values(
+        Spoiled{"BothDampings", [](Scene& s) { s.contacts.damping = 0.17; }, "contacts.damping", "keep one"},
+        Spoiled{"NoDamping", [](Scene& s) { s.contacts.restitution.reset(); }, "contacts.restitution",
+                "either restitution"},
+        Spoiled{"ThinBed", [](Scene& s) { s.bed.thickness = 0.003; }, "bed.thickness", "at least a diameter"},
+        Spoiled{"NarrowBed",
+                [](Scene& s) {
+                  s.bed.width = 0.003;
+                  s.gas.reset();
+                  s.flux.reset();
+                },
+                "bed.width", "narrower than a particle"},
+        Spoiled{"SteepFloor",
+                [](Scene& s) {
+                  s.floor.inclinationDeg = 60.0;
+                  s.bed.height = 0.084;
+                  s.gas.reset();
+                  s.flux.reset();
+                },
+                "floor.inclination_deg", "no room"},
+        Spoiled{"StairWithoutGas",
+                [](Scene& s) {
+                  s.floor = {10.0, FloorShape::stair};
+                  s.gas.reset();
+                },
+                "floor.shape", "no [gas]"},
+        Spoiled{"FullLid",
+                [](Scene& s) {
+                  s.bed.top = BedTop::lid;
+                  s.particles.count = 1000;
+                },
+                "particles.count", "closest packing holds 415"},
+        Spoiled{"LongStep", [](Scene& s) { s.time.step = 1e-4; }, "time.step", "T/9.96"},
+        Spoiled{"Duration", [](Scene& s) { s.time.duration = 0.050004; }, "time.duration",
+                "the nearest is 0.05 s"},
+        Spoiled{"Interval", [](Scene& s) { s.sampling.interval = 0.010006; }, "sampling.interval",
+                "the nearest is 0.01001 s"},
+        Spoiled{"GasStep", [](Scene& s) { s.gas->step = 2.5e-5; }, "gas.step", "must be a whole number"},
+        Spoiled{"GasStepBelow", [](Scene& s) { s.gas->step = 1e-6; }, "gas.step", "the nearest is 1e-05 s"},
+        Spoiled{"Columns", [](Scene& s) { s.gas->grid.columns[0].count = 5; }, "gas.grid.columns",
+                "add up to 0.06 m, but bed.width is 0.048 m"},
+        Spoiled{"Rows", [](Scene& s) { s.gas->grid.rows[0].size = 0.011; }, "gas.grid.rows", "0.11 m"},
+        Spoiled{"EmptyInlet", [](Scene& s) { s.gas->inlets[0].from = 0.024; }, "gas.inlets.0.to", "right of"},
+        Spoiled{"OutsideInlet", [](Scene& s) { s.gas->inlets[1].to = 0.05; }, "gas.inlets.1.to", "outside"},
+        Spoiled{"OverlappingInlet", [](Scene& s) { s.gas->inlets[1].from = 0.02; }, "gas.inlets.1",
+                "overlaps"},
+        Spoiled{"TwoVelocities", [](Scene& s) { s.gas->inlets[0].velocity = 1.0; },
+                "gas.inlets.0.velocity_umf", "keep one"},
+        Spoiled{"NoVelocity", [](Scene& s) { s.gas->inlets[1].velocity.reset(); }, "gas.inlets.1.velocity",
+                "either velocity"},
+        Spoiled{"NoUmf", [](Scene& s) { s.gravity = 0.0; }, "gas.inlets.0.velocity_umf", "do not sink"},
+        Spoiled{"FlatWindow", [](Scene& s) { s.flux->from = 0.04; }, "flux.to", "not above"},
+        Spoiled{"WindowAtWall", [](Scene& s) { s.flux->x = 0.047; }, "flux.x", "leaves the bed"},
+        Spoiled{"HighWindow", [](Scene& s) { s.flux->to = 0.13; }, "flux.to", "above the bed's"},
+        Spoiled{"Limits", [](Scene& s) { s.limits.warnOverlap = 0.2; }, "limits.warn_overlap", "above"}),
+    [](const auto& spoiled) { return std::string(spoiled.param.name); });
+
+TEST(Rules, SlowestAllowedStepIsAFourteenthOfTheTimeScale) {
+  Scene scene = soundScene();
+  scene.gas.reset();
+  scene.sampling.interval = scene.time.step = contactTimeScale(scene) / 14.0;
+  scene.time.duration = scene.time.step * 10.0;
+  EXPECT_TRUE(contradictions(scene).empty());
+  scene.time.step = scene.sampling.interval = contactTimeScale(scene) / 13.9;
+  scene.time.duration = scene.time.step * 10.0;
+  EXPECT_EQ(contradictions(scene).size(), 1u);
+}
+
+}  // namespace
+}  // namespace bedmix

@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: MIT
+#include "engine/core/near_miss.h"
+#include "engine/core/scene_description.h"
+#include "engine/core/scene_keys.h"
+#include "engine/core/scene_reader.h"
+
+#include <gtest/gtest.h>
+
+#include <bit>
+#include <filesystem>
+#include <fstream>
+#include <optional>
+#include <sstream>
+#include <type_traits>
+
+namespace bedmix {
+namespace {
+
+/// Every value of a scene to the bit, one line a key.
+class BitDump {
+ public:
+  template <class T>
+  void operator()(const Key& key, T& value) {
+    out_ << key.name << ' ';
+    put(value);
+  }
+  std::string text() const { return out_.str(); }
+
+ private:
+  void put(double v) { out_ << std::hex << std::bit_cast<std::uint64_t>(v) << '\n'; }
+  void put(std::int64_t v) { out_ << v << '\n'; }
+  void put(std::uint64_t v) { out_ << v << '\n'; }
+  void put(const std::string& v) { out_ << v << '\n'; }
+  template <class T>
+  requires std::is_enum_v<T>
+  void put(T v) { out_ << static_cast<int>(v) << '\n'; }
+  void put(GridSpan& s) {
+    put(s.count);
+    put(s.size);
+  }
+  template <class T>
+  void put(std::optional<T>& v) {
+    out_ << v.has_value() << '\n';
+    if (v) put(*v);
+  }
+  template <class T>
+  void put(std::vector<T>& v) {
+    out_ << v.size() << '\n';
+    for (T& element : v) put(element);
+  }
+  template <class T>
+  requires requires(T& t, BitDump& d) { describe(t, d); }
+  void put(T& table) { describe(table, *this); }
+
+  std::ostringstream out_;
+};
+
+std::string bits(Scene scene) {
+  BitDump dump;
+  describe(scene, dump);
+  return dump.text();
+}
+
+void expectRoundTrip(const Scene& scene) {
+  const std::string text = writeScene(scene);
+  const auto again = readScene(text, scene.name + ".toml");
+  ASSERT_TRUE(again) << toString(again.problems.at(0)) << '\n' << text;
+  EXPECT_EQ(bits(*again), bits(scene));
+  EXPECT_EQ(writeScene(*again), text);
+}
+
+TEST(SceneWriter, BundledScenesRoundTrip) {
+  int scenes = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(BEDMIX_SOURCE_DIR "/assets/scenes")) {
+    std::stringstream text;
+    text << std::ifstream(entry.path()).rdbuf();
+    const auto scene = readScene(text.str(), entry.path().string());
+    ASSERT_TRUE(scene) << toString(scene.problems.at(0));
+    expectRoundTrip(*scene);
+    ++scenes;
+  }
+  EXPECT_GE(scenes, 5);
+}
+
+TEST(SceneWriter, AwkwardValuesRoundTrip) {
+  Scene scene;
+  scene.title = "quote \" backslash \\ tab \t newline \n unit \u00b5";
+  scene.seed = 9007199254740993u;  // 2^53 + 1, no double
+  scene.particles.density = 1.0 / 3.0 * 4000.0;
+  scene.particles.count = 0;
+  scene.contacts.damping = 0.1 + 0.2;
+  scene.contacts.friction = FrictionSettings{};
+  scene.gas.emplace().minimumFluidizationVelocity = 5e-324;
+  scene.gas->grid = {{{8, 0.012}}, {{15, 0.012}, {12, 0.02}}};
+  scene.time.integrator = Integrator::rk4;
+  expectRoundTrip(scene);
+}
+
+TEST(SceneWriter, WritesEveryDefaultAndNoAbsentEffect) {
+  Scene scene;
+  scene.contacts.restitution = 0.9;
+  const std::string text = writeScene(scene);
+  for (const SceneKey& key : sceneKeys()) {
+    const bool absentEffect = key.path.starts_with("gas") || key.path.starts_with("flux") ||
+                              key.path.starts_with("contacts.friction") || key.path == "contacts.damping";
+    if (key.type == "table") {
+      EXPECT_EQ(text.find('[' + key.path + "]\n") == std::string::npos, absentEffect) << key.path;
+    } else if (!absentEffect) {
+      EXPECT_NE(text.find(std::string(key.key.name) + " = "), std::string::npos) << key.path;
+    }
+  }
+}
+
+TEST(NearMiss, FindsTheNearestWithinAThirdOfTheWord) {
+  const std::vector<std::string> keys{"restitution", "damping", "step", "top"};
+  EXPECT_EQ(nearMiss("resitution", keys), "restitution");
+  EXPECT_EQ(nearMiss("setp", keys), "step");
+  EXPECT_EQ(nearMiss("dampnig", keys), "damping");
+  EXPECT_EQ(nearMiss("viscosity", keys), std::nullopt);
+  EXPECT_EQ(didYouMean("stop", keys), "; did you mean \"step\"?");
+}
+
+}  // namespace
+}  // namespace bedmix
