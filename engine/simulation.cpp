@@ -165,6 +165,12 @@ std::optional<std::string> Simulation::advance(std::int64_t steps) {
   return std::nullopt;
 }
 
+void Simulation::setInlets(const std::vector<Inlet>& inlets) {
+  State& s = *state_;
+  s.scene.gas->inlets = inlets;
+  s.gas->solver.setInletFlux(makeGasGrid(s.scene).inletFlux);
+}
+
 std::int64_t Simulation::step() const { return state_->step; }
 double Simulation::time() const { return timeOfStep(state_->scene, state_->step); }
 std::int64_t Simulation::gasSteps() const { return state_->gasSteps; }

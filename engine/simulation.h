@@ -10,6 +10,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace bedmix {
 
@@ -43,6 +44,10 @@ class Simulation {
   /// Takes `steps` particle steps. Empty when the solution is valid; else what went wrong (which particle,
   /// which stage, what time, what to do), and the simulation must not be advanced further.
   [[nodiscard]] std::optional<std::string> advance(std::int64_t steps);
+
+  /// Changes what the gas enters through, from the next gas step on. The scene must have gas and the inlets must fit
+  /// its floor.
+  void setInlets(const std::vector<Inlet>& inlets);
 
   std::int64_t step() const;
   double time() const;

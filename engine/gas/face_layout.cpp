@@ -41,7 +41,7 @@ class Builder {
     for (int i = 0; i < g_.columns; ++i) {
       const int j = g_.lowestRow[i];
       const double area = g_.dx(i) * g_.thickness;
-      out_.floor.push_back({out_.vFace(i, j), cell(i, j), area, g_.inletFlux[i] * area});
+      out_.floor.push_back({out_.vFace(i, j), area, g_.inletFlux[i] * area});
     }
   }
 

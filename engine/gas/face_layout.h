@@ -32,7 +32,6 @@ struct MomentumVolume {
 /// A floor face and what enters there.
 struct FloorFace {
   int face = 0;
-  int cell = 0;
   double area = 0.0;  // m2
   double flux = 0.0;  // m3/s, upward
 };

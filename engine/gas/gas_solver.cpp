@@ -34,7 +34,17 @@ GasSolver::GasSolver(const Scene& scene)
   coefficient_.resize(layout_.volumes.size());
   effect_.resize(layout_.volumes.size());
   change_.resize(faces);
-  for (const FloorFace& f : layout_.floor) inflow_ += f.flux;
+  setInletFlux(grid_.inletFlux);
+}
+
+void GasSolver::setInletFlux(const std::vector<double>& superficial) {
+  grid_.inletFlux = superficial;
+  inflow_ = 0.0;
+  for (std::size_t column = 0; column < layout_.floor.size(); ++column) {
+    FloorFace& f = layout_.floor[column];
+    f.flux = superficial[column] * f.area;
+    inflow_ += f.flux;
+  }
 }
 
 void GasSolver::startWith(const std::vector<double>& voidage) {

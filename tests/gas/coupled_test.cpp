@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: MIT
+#include "engine/core/bed_statistics.h"
+#include "engine/simulation.h"
+#include "tests/gas/gas_scenes.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace bedmix {
+namespace {
+
+double bedWeightPerArea(const Scene& scene) {
+  return static_cast<double>(scene.particles.count) * particleMass(scene) * scene.gravity /
+         (scene.bed.width * scene.bed.thickness);
+}
+
+TEST(Coupled, TerminalVelocityOfOneSphere) {
+  // A duct so wide and deep that the voidage is 1; the gas rises a little faster than the sphere falls
+  // through it.
+  Scene scene = test::paperScene(12.6);
+  scene.bed.width = 1.0;
+  scene.bed.height = 20.0;
+  scene.bed.thickness = 0.5;
+  scene.gas->grid.columns = {{4, 0.25}};
+  scene.gas->grid.rows = {{80, 0.25}};
+  scene.gas->inlets = {{0.0, 1.0, 12.6, std::nullopt}};
+  scene.gas->step = 1e-3;
+  scene.time.step = 5e-5;
+  scene.particles.count = 1;
+  scene.start.arrangement = Arrangement::drop;
+  Simulation simulation(scene);
+  ASSERT_EQ(simulation.advance(100'000), std::nullopt);  // 5 s, 8 relaxation times
+
+  const FramePtr frame = simulation.frame();
+  const GasGrid grid = makeGasGrid(scene);
+  const auto column = static_cast<int>(frame->position[0].x / 0.25),
+             row = static_cast<int>(frame->position[0].y / 0.25);
+  ASSERT_LT(row, 70);
+  const double slip = frame->gas.velocity[grid.cell(column, row)].y - frame->velocity[0].y;
+  // 1/8 pi d^2 C_D rho slip^2 = (rho_p - rho) g pi d^3/6 with C_D = 0.43, as Re > 1000.
+  const double exact = std::sqrt(4.0 / 3.0 * (1500.0 - 1.205) * 9.81 * 0.004 / (0.43 * 1.205));
+  EXPECT_NEAR(slip / exact, 1.0, 0.005);
+}
+
+TEST(Coupled, MinimumFluidizationOnASlowRamp) {
+  Scene scene = test::paperScene(0.8);
+  scene.bed.width = 0.048;
+  scene.gas->grid.columns = {{4, 0.012}};
+  scene.particles.count = 350;
+  Simulation simulation(scene);
+  const GasGrid grid = makeGasGrid(scene);
+
+  // Voidage of the resting bed, from the rows that lie wholly inside it.
+  const FramePtr rest = simulation.frame();
+  const auto fullRows = static_cast<int>((bedHeight(*rest, scene) - 2 * scene.particles.diameter) / 0.012);
+  double voidage = 0.0;
+  for (int r = 0; r < fullRows; ++r)
+    for (int c = 0; c < grid.columns; ++c)
+      voidage += rest->gas.voidage[grid.cell(c, r)] / (fullRows * grid.columns);
+
+  // Ergun's root: the pressure gradient carries the weight.
+  const double mu = scene.gas->viscosity, rho = scene.gas->density, d = scene.particles.diameter;
+  const double e3 = voidage * voidage * voidage, solids = 1.0 - voidage;
+  const double a = 1.75 * rho * solids / (e3 * d), b = 150 * solids * solids * mu / (e3 * d * d);
+  const double c = solids * (1500.0 - rho) * 9.81;
+  const double ergun = (-b + std::sqrt(b * b + 4 * a * c)) / (2 * a);
+
+  // 0.5 m/s per s: the first velocity at which the pressure drop carries 98 % of the weight.
+  double fluidized = 0.0;
+  for (double u = 0.8; u < 2.0 && fluidized == 0.0; u += 0.005) {
+    simulation.setInlets({{0.0, scene.bed.width, u, std::nullopt}});
+    ASSERT_EQ(simulation.advance(1000), std::nullopt);
+    if (pressureDrop(*simulation.frame(), grid) >= 0.98 * bedWeightPerArea(scene)) fluidized = u;
+  }
+  RecordProperty("ergun", std::to_string(ergun));
+  RecordProperty("measured", std::to_string(fluidized));
+  EXPECT_NEAR(fluidized / ergun, 1.0, 0.10) << "voidage " << voidage << ", Ergun " << ergun;
+}
+
+TEST(Coupled, PressureDropCarriesTheBedAtTwiceMinimumFluidization) {
+  Scene scene = test::paperScene(0.0);
+  scene.gas->inlets = {{0.0, scene.bed.width, std::nullopt, 2.0}};
+  scene.limits.maxOverlap = 0.3;
+  Simulation simulation(scene);
+  const GasGrid grid = makeGasGrid(scene);
+  ASSERT_EQ(simulation.advance(100'000), std::nullopt);  // 1 s: the first plug has come down
+  double sum = 0.0;
+  const int samples = 200;
+  for (int k = 0; k < samples; ++k) {
+    ASSERT_EQ(simulation.advance(1000), std::nullopt);
+    sum += pressureDrop(*simulation.frame(), grid) / samples;
+  }
+  EXPECT_NEAR(sum / bedWeightPerArea(scene), 1.0, 0.05);
+  EXPECT_LT(simulation.report().largestMassResidual, 1e-10);
+}
+
+}  // namespace
+}  // namespace bedmix

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: MIT
+#include "engine/simulation.h"
+#include "engine/worker.h"
+#include "tests/gas/gas_scenes.h"
+
+#include <gtest/gtest.h>
+
+namespace bedmix {
+namespace {
+
+/// Sixty particles in a gas that lifts them: quick, with every stage in it.
+Scene smallScene() {
+  Scene scene = test::paperScene(2.6);
+  scene.bed.width = 0.048;
+  scene.bed.height = 0.12;
+  scene.particles.count = 60;
+  scene.gas->grid.columns = {{4, 0.012}};
+  scene.gas->grid.rows = {{10, 0.012}};
+  scene.gas->inlets = {{0.0, 0.048, 2.6, std::nullopt}};
+  scene.time.duration = 0.05;
+  return scene;
+}
+
+TEST(Determinism, TwoSimulationsAgreeStepByStep) {
+  Simulation a(smallScene(), 1), b(smallScene(), 2);
+  ASSERT_EQ(a.stateHash(), b.stateHash());
+  for (int k = 0; k < 200; ++k) {
+    ASSERT_EQ(a.advance(10), std::nullopt);
+    ASSERT_EQ(b.advance(10), std::nullopt);
+    ASSERT_EQ(a.stateHash(), b.stateHash()) << "step " << a.step();
+  }
+}
+
+TEST(Determinism, HowStepsAreAskedForDoesNotMatter) {
+  Simulation a(smallScene()), b(smallScene());
+  ASSERT_EQ(a.advance(2003), std::nullopt);
+  for (std::int64_t n : {1, 9, 10, 13, 970, 1000}) ASSERT_EQ(b.advance(n), std::nullopt);
+  EXPECT_EQ(a.stateHash(), b.stateHash());
+  EXPECT_EQ(a.gasSteps(), 200);
+}
+
+TEST(Determinism, SeedMovesTheStateAndNothingElseDoes) {
+  Scene other = smallScene();
+  other.seed = 2;
+  EXPECT_NE(Simulation(smallScene()).stateHash(), Simulation(other).stateHash());
+  other.seed = 1;
+  other.sampling.interval = 0.005;
+  EXPECT_EQ(Simulation(smallScene()).stateHash(), Simulation(other).stateHash());
+}
+
+TEST(Worker, HandsOutEveryFrameInOrderAndEndsLikeTheSimulation) {
+  const Scene scene = smallScene();
+  Worker worker(scene);
+  int frames = 0;
+  while (FramePtr frame = worker.next()) {
+    EXPECT_EQ(frame->step, 1000 * frames);
+    EXPECT_EQ(frame->time, frames * 0.01);
+    ++frames;
+  }
+  EXPECT_EQ(frames, 6);
+  Simulation simulation(scene);
+  ASSERT_EQ(simulation.advance(totalSteps(scene)), std::nullopt);
+  EXPECT_EQ(worker.end().stateHash, simulation.stateHash());
+  EXPECT_EQ(worker.end().reason, EndReason::finished);
+}
+
+TEST(Worker, StopsOnRequestWithTheFramesInHand) {
+  Scene scene = smallScene();
+  scene.time.duration = 1000.0;
+  Worker worker(scene);
+  ASSERT_NE(worker.next(), nullptr);
+  worker.requestStop();
+  while (worker.next()) {
+  }
+  EXPECT_EQ(worker.end().reason, EndReason::stopped);
+}
+
+TEST(Worker, ReportsAnInvalidSolution) {
+  Scene scene = smallScene();
+  scene.limits.maxOverlap = 1e-9;
+  Worker worker(scene);
+  while (worker.next()) {
+  }
+  EXPECT_EQ(worker.end().reason, EndReason::invalid);
+  EXPECT_NE(worker.end().message.find("limits.max_overlap"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace bedmix
