@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: MIT
+#include "engine/dem/packing.h"
+
+#include "engine/core/rng.h"
+#include "engine/dem/particle_solver.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <string>
+#include <utility>
+
+namespace bedmix {
+
+namespace {
+
+constexpr double siteOverDiameter = 1.25;
+constexpr double sitesPerParticle = 1.1;
+constexpr double leastSite = 1.01;        // of a diameter
+constexpr double restSpeed = 1e-3;        // m/s
+constexpr double restTime = 0.02;         // s
+constexpr double longestFall = 3.0;       // s
+constexpr double viscosity = 10.0;        // 1/s
+constexpr double viscousInterval = 1e-4;  // s, between updates of the viscous force
+
+/// Square sites side by side over the bed's width, from `bottom` up.
+struct Lattice {
+  double bottom = 0.0;  // m
+  double width = 0.0;   // m, of a site
+  double height = 0.0;  // m
+  std::int64_t columns = 0;
+  std::int64_t rows = 0;
+};
+
+double highestFloor(const Scene& scene) {
+  double highest = 0.0;
+  const double top = scene.bed.height;  // side walls and lid reach it or go beyond, the floor does not
+  for (const WallSegment& wall : bedWalls(scene))
+    for (const double y : {wall.a.y, wall.b.y})
+      if (y < top) highest = std::max(highest, y);
+  return highest;
+}
+
+/// Sites for all particles; none where even the closest lattice below the lid has too few.
+std::optional<Lattice> layLattice(const Scene& scene) {
+  const double d = scene.particles.diameter;
+  const double bottom = highestFloor(scene);
+  const auto wanted = std::ceil(sitesPerParticle * static_cast<double>(scene.particles.count));
+  for (double site = siteOverDiameter; site >= leastSite; site -= 0.01) {
+    const double columns = std::floor(scene.bed.width / (site * d));
+    if (columns < 1.0) continue;
+    double rows = std::ceil(wanted / columns);
+    if (scene.bed.top == BedTop::lid) {
+      rows = std::min(rows, std::floor((scene.bed.height - bottom) / (site * d)));
+      if (columns * rows < static_cast<double>(scene.particles.count)) continue;
+    }
+    return Lattice{bottom, scene.bed.width / columns, site * d, std::llround(columns), std::llround(rows)};
+  }
+  return std::nullopt;
+}
+
+std::vector<Vec2> scatter(const Scene& scene, const Lattice& lattice) {
+  Rng rng(scene.seed);
+  std::vector<std::int64_t> sites(lattice.columns * lattice.rows);
+  std::iota(sites.begin(), sites.end(), std::int64_t{0});
+  const double d = scene.particles.diameter;
+  std::vector<Vec2> positions;
+  for (std::int64_t i = 0; i < scene.particles.count; ++i) {
+    // One step of a Fisher-Yates shuffle: a site at random among those that are left.
+    const std::size_t left = sites.size() - i;
+    std::swap(sites[i], sites[i + static_cast<std::size_t>(rng.uniform() * static_cast<double>(left))]);
+    const double column = static_cast<double>(sites[i] % lattice.columns);
+    const double row = static_cast<double>(sites[i] / lattice.columns);
+    const double x = d / 2.0 + column * lattice.width + rng.uniform() * (lattice.width - d);
+    const double y = d / 2.0 + row * lattice.height + rng.uniform() * (lattice.height - d);
+    positions.push_back({x, lattice.bottom + y});
+  }
+  return positions;
+}
+
+/// Lets the particles fall and come to rest.
+std::optional<DemTrouble> settle(const Scene& scene, ParticleSolver& solver) {
+  Particles& p = solver.particles();
+  const std::int64_t steps = std::max<std::int64_t>(1, std::llround(viscousInterval / scene.time.step));
+  const double interval = static_cast<double>(steps) * scene.time.step;
+  double atRest = 0.0;  // s
+  for (double time = 0.0; time < longestFall && atRest < restTime; time += interval) {
+    double fastest = 0.0;  // square
+    for (std::size_t i = 0; i < p.size(); ++i) {
+      p.fx[i] = -viscosity * p.mass * p.vx[i];
+      p.fy[i] = -viscosity * p.mass * p.vy[i];
+      fastest = std::max(fastest, p.vx[i] * p.vx[i] + p.vy[i] * p.vy[i]);
+    }
+    atRest = fastest < restSpeed * restSpeed ? atRest + interval : 0.0;
+    if (const auto trouble = solver.advance(steps)) return trouble;
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+Result<Particles> packBed(const Scene& scene) {
+  Diagnostic problem;
+  const std::optional<Lattice> lattice = layLattice(scene);
+  if (!lattice) {
+    problem.message = fmt::format(
+        "particles.count: {} spheres of {} m do not fit above the floor; take fewer, or a wider "
+        "bed, or with a lid a higher one",
+        scene.particles.count, scene.particles.diameter);
+    return problem;
+  }
+  Particles start = makeParticles(scene, scatter(scene, *lattice));
+  if (scene.start.arrangement == Arrangement::drop || start.size() == 0) return start;
+
+  const auto solver = ParticleSolver::make(scene, std::move(start), bedWalls(scene));
+  if (const auto trouble = settle(scene, *solver)) {
+    problem.message = fmt::format(
+        "start: while the bed settled, {} of particle {} became {:.3g} ({}); take a smaller "
+        "time.step or a larger contacts.stiffness",
+        trouble->nonFinite ? "a coordinate" : "overlap over diameter", trouble->particle, trouble->value,
+        trouble->stage);
+    return problem;
+  }
+  std::vector<Vec2> rest;
+  for (std::size_t i = 0; i < solver->particles().size(); ++i)
+    rest.push_back({solver->particles().x[i], solver->particles().y[i]});
+  return makeParticles(scene, rest);
+}
+
+}  // namespace bedmix

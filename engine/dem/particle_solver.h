@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "engine/core/hash.h"
+#include "engine/core/scene.h"
+#include "engine/core/walls.h"
+#include "engine/dem/bed_state.h"
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace bedmix {
+
+/// Why a bed cannot be advanced further.
+struct DemTrouble {
+  std::int64_t particle = -1;
+  double value = 0.0;      // the value that is not finite, or the overlap over the diameter
+  bool nonFinite = false;  // else the overlap is above the scene's limit
+  const char* stage = "";  // where it was noticed: "start", "drag", "contacts" or "integrate"
+};
+
+/// Soft spheres after Tian et al. (2007), Eqs (1) and (5) to (7), advanced in time under gravity, contacts
+/// and whatever Particles::fx, fy hold. Contact law and integrator are composed when the solver is made. Two
+/// solvers of the same start are the same to the bit. One thread at a time.
+class ParticleSolver {
+ public:
+  /// `start` may overlap; it is not moved before the first advance().
+  static std::unique_ptr<ParticleSolver> make(const Scene& scene, Particles start,
+                                              const std::vector<WallSegment>& walls);
+  virtual ~ParticleSolver() = default;
+
+  /// Takes `steps` steps of the scene's length. Empty when all is well; else the bed must not be advanced
+  /// further.
+  [[nodiscard]] virtual std::optional<DemTrouble> advance(std::int64_t steps) = 0;
+
+  /// External forces may be changed between calls of advance(), everything else only before the first.
+  Particles& particles() { return bed_.particles; }
+  const Particles& particles() const { return bed_.particles; }
+
+  /// Deepest contact since the start, of a diameter, and whose it was (-1 without any).
+  double largestOverlap() const { return bed_.loads.deepest.depth / (2.0 * bed_.particles.radius); }
+  std::int64_t largestOverlapParticle() const { return bed_.loads.deepest.particle; }
+  /// Touching pairs and wall contacts at the last step.
+  std::int64_t contactCount() const { return static_cast<std::int64_t>(bed_.history.count); }
+  std::int64_t neighbourBuilds() const { return bed_.neighbours.builds(); }
+  /// Wall seconds since the start.
+  const DemSeconds& seconds() const { return bed_.seconds; }
+
+  double kineticEnergy() const;    // J, with rotation
+  double elasticEnergy() const;    // J, normal and tangential springs
+  double potentialEnergy() const;  // J, of gravity, above y = 0
+
+  /// Everything the future depends on but the external forces: positions, velocities, spins and tangential
+  /// springs, the springs in the order of the ids of those that touch.
+  void hashInto(StateHash& hash) const;
+
+ protected:
+  ParticleSolver(const Scene& scene, Particles start, const std::vector<WallSegment>& walls);
+
+  BedState bed_;
+
+ private:
+  SpringDashpot pairLaw_, wallLaw_;
+};
+
+}  // namespace bedmix
