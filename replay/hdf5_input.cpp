@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: MIT
+#include "replay/hdf5_input.h"
+
+#include <algorithm>
+#include <functional>
+#include <numeric>
+
+namespace bedmix {
+
+namespace {
+
+H5 openFile(const std::filesystem::path& path) {
+  quietHdf5();
+  const H5 access(H5Pcreate(H5P_FILE_ACCESS), "set up the file");
+  H5Pset_file_locking(access, false, true);
+  return {H5Fopen(path.c_str(), H5F_ACC_RDONLY, access), "open it as HDF5"};
+}
+
+H5 openDataset(hid_t file, const std::string& path) {
+  return {H5Dopen2(file, path.c_str(), H5P_DEFAULT), "find " + path};
+}
+
+std::vector<hsize_t> extentOf(hid_t dataset, const std::string& path) {
+  const H5 space(H5Dget_space(dataset), "read the extents of " + path);
+  std::vector<hsize_t> extent(
+      static_cast<std::size_t>(checkHdf5(H5Sget_simple_extent_ndims(space), "read the extents of " + path)));
+  H5Sget_simple_extent_dims(space, extent.data(), nullptr);
+  return extent;
+}
+
+std::string toText(const std::vector<hsize_t>& extent) {
+  std::string text;
+  for (hsize_t n : extent) text += (text.empty() ? "" : " x ") + std::to_string(n);
+  return text.empty() ? "one value" : text;
+}
+
+bool isNumber(hid_t type) {
+  const H5T_class_t kind = H5Tget_class(type);
+  return kind == H5T_FLOAT || kind == H5T_INTEGER;
+}
+
+}  // namespace
+
+Hdf5Values::Hdf5Values(hid_t file, std::string path, std::vector<hsize_t> row, bool isSeries)
+    : path_(std::move(path)), row_(std::move(row)), isSeries_(isSeries), dataset_(openDataset(file, path_)) {
+  std::vector<hsize_t> extent = extentOf(dataset_, path_);
+  std::vector<hsize_t> expected = row_;
+  if (isSeries_) {
+    rows_ = extent.empty() ? 0 : extent[0];
+    expected.insert(expected.begin(), rows_);
+  }
+  if (extent != expected)
+    throw Hdf5Error(path_ + " holds " + toText(extent) + " where the scene asks for " + toText(expected));
+
+  const H5 type(H5Dget_type(dataset_), "read the type of " + path_);
+  if (!isNumber(type)) throw Hdf5Error(path_ + " does not hold numbers");
+  // A kill can leave the extent ahead of the data.
+  const hsize_t rowBytes = rowSize() * H5Tget_size(type);
+  if (isSeries_ && rowBytes > 0) rows_ = std::min(rows_, H5Dget_storage_size(dataset_) / rowBytes);
+}
+
+std::size_t Hdf5Values::rowSize() const {
+  return std::accumulate(row_.begin(), row_.end(), std::size_t{1}, std::multiplies<>());
+}
+
+void Hdf5Values::read(hsize_t from, hsize_t count, hid_t type, void* into) const {
+  std::vector<hsize_t> start(row_.size(), 0), counts = row_;
+  if (isSeries_) {
+    start.insert(start.begin(), from);
+    counts.insert(counts.begin(), count);
+  }
+  const H5 fileSpace(H5Dget_space(dataset_), "read " + path_);
+  const H5 rowSpace(H5Screate_simple(static_cast<int>(counts.size()), counts.data(), nullptr),
+                    "read " + path_);
+  checkHdf5(H5Sselect_hyperslab(fileSpace, H5S_SELECT_SET, start.data(), nullptr, counts.data(), nullptr),
+            "read " + path_);
+  checkHdf5(H5Dread(dataset_, type, rowSpace, fileSpace, H5P_DEFAULT, into), "read " + path_);
+}
+
+Hdf5Input::Hdf5Input(const std::filesystem::path& path) : file_(openFile(path)) {}
+
+bool Hdf5Input::has(const std::string& path) const {
+  // Each part on its own: H5Lexists fails where a part before the last is missing.
+  for (std::size_t end = path.find('/');; end = path.find('/', end + 1)) {
+    if (H5Lexists(file_, path.substr(0, end).c_str(), H5P_DEFAULT) <= 0) return false;
+    if (end == std::string::npos) return true;
+  }
+}
+
+std::string Hdf5Input::text(const std::string& path) const {
+  const H5 dataset = openDataset(file_, path);
+  const H5 type(H5Dget_type(dataset), "read the type of " + path);
+  if (H5Tget_class(type) != H5T_STRING || H5Tis_variable_str(type) != 0 || !extentOf(dataset, path).empty())
+    throw Hdf5Error(path + " does not hold one text of fixed length");
+  std::string text(H5Tget_size(type), '\0');
+  const H5 inMemory(H5Tcopy(type), "read " + path);
+  checkHdf5(H5Dread(dataset, inMemory, H5S_ALL, H5S_ALL, H5P_DEFAULT, text.data()), "read " + path);
+  text.resize(std::min(text.size(), text.find('\0')));
+  return text;
+}
+
+std::vector<std::int32_t> Hdf5Input::integers(const std::string& path, const char* attribute) const {
+  const std::string what = "read " + path + '.' + attribute;
+  const H5 at(H5Aopen_by_name(file_, path.c_str(), attribute, H5P_DEFAULT, H5P_DEFAULT), what);
+  const H5 type(H5Aget_type(at), what);
+  const H5 space(H5Aget_space(at), what);
+  if (H5Tget_class(type) != H5T_INTEGER) throw Hdf5Error("cannot " + what + ": it is no integer");
+  std::vector<std::int32_t> values(
+      static_cast<std::size_t>(checkHdf5(H5Sget_simple_extent_npoints(space), what)));
+  checkHdf5(H5Aread(at, H5T_NATIVE_INT32, values.data()), what);
+  return values;
+}
+
+}  // namespace bedmix

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "replay/hdf5_handle.h"
+
+#include <cstddef>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace bedmix {
+
+/// A dataset in a file that may be damaged. `row` are the extents it must have, beside its first one, time,
+/// where it is a series.
+class Hdf5Values {
+ public:
+  /// Fails where there is none, and on other extents or values that are no numbers.
+  Hdf5Values(hid_t file, std::string path, std::vector<hsize_t> row, bool isSeries);
+
+  /// Rows that are there as a whole; 1 where there is no time.
+  hsize_t rows() const { return rows_; }
+  /// Numbers in a row.
+  std::size_t rowSize() const;
+  const std::string& path() const { return path_; }
+
+  /// Numbers of one row.
+  template <class T>
+  void readRow(hsize_t index, T* into) const {
+    read(index, 1, h5Type<T>(), into);
+  }
+  /// Numbers of the first `count` rows.
+  template <class T>
+  void readRows(hsize_t count, T* into) const {
+    read(0, count, h5Type<T>(), into);
+  }
+
+ private:
+  void read(hsize_t from, hsize_t count, hid_t type, void* into) const;
+
+  std::string path_;
+  std::vector<hsize_t> row_;
+  bool isSeries_;
+  H5 dataset_;
+  hsize_t rows_ = 1;
+};
+
+/// An HDF5 file being read; a run may still be writing it.
+class Hdf5Input {
+ public:
+  explicit Hdf5Input(const std::filesystem::path& path);
+
+  bool has(const std::string& path) const;
+  std::string text(const std::string& path) const;
+  std::vector<std::int32_t> integers(const std::string& path, const char* attribute) const;
+  Hdf5Values fixed(const std::string& path, std::vector<hsize_t> extent) const {
+    return {file_, path, std::move(extent), false};
+  }
+  Hdf5Values series(const std::string& path, std::vector<hsize_t> row) const {
+    return {file_, path, std::move(row), true};
+  }
+
+ private:
+  H5 file_;
+};
+
+}  // namespace bedmix

@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: MIT
+#include "replay/hdf5_output.h"
+
+#include <algorithm>
+#include <functional>
+#include <numeric>
+
+namespace bedmix {
+
+namespace {
+
+/// A fixed-length UTF-8 text type: readers of H5MD stumble over those of variable length.
+H5 textType(std::size_t length) {
+  H5 type(H5Tcopy(H5T_C_S1), "make a text type");
+  H5Tset_size(type, std::max<std::size_t>(length, 1));
+  H5Tset_strpad(type, H5T_STR_NULLPAD);
+  H5Tset_cset(type, H5T_CSET_UTF8);
+  return type;
+}
+
+/// A scalar for one value, as h5py and H5MD's own readers like it, else a list.
+H5 space(std::size_t count) {
+  if (count == 1) return {H5Screate(H5S_SCALAR), "make a data space"};
+  const hsize_t dims = count;
+  return {H5Screate_simple(1, &dims, nullptr), "make a data space"};
+}
+
+H5 createFile(const std::filesystem::path& path) {
+  quietHdf5();
+  // The earliest format is the one that opens again after its writer was killed.
+  H5 access(H5Pcreate(H5P_FILE_ACCESS), "set up the file");
+  H5Pset_libver_bounds(access, H5F_LIBVER_EARLIEST, H5F_LIBVER_V18);
+  return {H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access), "make the file"};
+}
+
+H5 createSeries(hid_t file, const std::string& path, hid_t type, const std::vector<hsize_t>& row) {
+  // A number a frame shares a chunk with its neighbours in time; anything bigger has its own.
+  constexpr hsize_t numbersPerChunk = 128;
+  std::vector<hsize_t> extent{0}, largest{H5S_UNLIMITED}, chunk{row.empty() ? numbersPerChunk : 1};
+  for (hsize_t n : row) {
+    extent.push_back(n);
+    largest.push_back(n);
+    chunk.push_back(std::max<hsize_t>(n, 1));
+  }
+  const H5 dataSpace(H5Screate_simple(static_cast<int>(extent.size()), extent.data(), largest.data()),
+                     "make a data space");
+  const H5 settings(H5Pcreate(H5P_DATASET_CREATE), "set up " + path);
+  checkHdf5(H5Pset_chunk(settings, static_cast<int>(chunk.size()), chunk.data()), "set up " + path);
+  return {H5Dcreate2(file, path.c_str(), type, dataSpace, H5P_DEFAULT, settings, H5P_DEFAULT),
+          "make " + path};
+}
+
+}  // namespace
+
+TimeSeries::TimeSeries(hid_t file, std::string path, hid_t type, std::vector<hsize_t> row)
+    : path_(std::move(path)),
+      type_(type),
+      row_(std::move(row)),
+      rowBytes_(std::accumulate(row_.begin(), row_.end(), H5Tget_size(type), std::multiplies<>())),
+      dataset_(createSeries(file, path_, type, row_)) {}
+
+void TimeSeries::append(hsize_t index, std::span<const std::byte> row) {
+  if (row.size() != rowBytes_)
+    throw Hdf5Error("cannot write " + path_ + ": a frame brings " + std::to_string(row.size()) +
+                    " bytes where the scene asks for " + std::to_string(rowBytes_));
+  std::vector<hsize_t> start{index}, count{1};
+  start.resize(row_.size() + 1);
+  count.insert(count.end(), row_.begin(), row_.end());
+  std::vector<hsize_t> extent = count;
+  extent[0] = index + 1;
+  checkHdf5(H5Dset_extent(dataset_, extent.data()), "extend " + path_);
+  const H5 fileSpace(H5Dget_space(dataset_), "extend " + path_);
+  const H5 rowSpace(H5Screate_simple(static_cast<int>(count.size()), count.data(), nullptr),
+                    "write " + path_);
+  checkHdf5(H5Sselect_hyperslab(fileSpace, H5S_SELECT_SET, start.data(), nullptr, count.data(), nullptr),
+            "write " + path_);
+  checkHdf5(H5Dwrite(dataset_, type_, rowSpace, fileSpace, H5P_DEFAULT, row.data()), "write " + path_);
+}
+
+Hdf5Output::Hdf5Output(const std::filesystem::path& path) : file_(createFile(path)) {}
+
+void Hdf5Output::group(const std::string& path) const {
+  H5(H5Gcreate2(file_, path.c_str(), H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT), "make " + path);
+}
+
+void Hdf5Output::text(const std::string& path, const std::string& value) const {
+  const H5 type = textType(value.size());
+  const H5 dataset(H5Dcreate2(file_, path.c_str(), type, space(1), H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT),
+                   "make " + path);
+  checkHdf5(H5Dwrite(dataset, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, value.c_str()), "write " + path);
+}
+
+void Hdf5Output::attribute(const std::string& path, const char* name,
+                           const std::vector<std::string>& values) const {
+  std::size_t length = 0;
+  for (const std::string& v : values) length = std::max(length, v.size());
+  std::string block;
+  for (std::string v : values) v.resize(std::max<std::size_t>(length, 1)), block += v;
+  const H5 type = textType(length);
+  const H5 at(H5Acreate_by_name(file_, path.c_str(), name, type, space(values.size()), H5P_DEFAULT,
+                                H5P_DEFAULT, H5P_DEFAULT),
+              "make " + path + '.' + name);
+  checkHdf5(H5Awrite(at, type, block.data()), "write " + path + '.' + name);
+}
+
+void Hdf5Output::attribute(const std::string& path, const char* name,
+                           std::span<const std::int32_t> values) const {
+  const H5 at(H5Acreate_by_name(file_, path.c_str(), name, H5T_STD_I32LE, space(values.size()), H5P_DEFAULT,
+                                H5P_DEFAULT, H5P_DEFAULT),
+              "make " + path + '.' + name);
+  checkHdf5(H5Awrite(at, H5T_NATIVE_INT32, values.data()), "write " + path + '.' + name);
+}
+
+void Hdf5Output::fixed(const std::string& path, hid_t type, const std::vector<hsize_t>& extent,
+                       const void* values) const {
+  const H5 dataSpace(H5Screate_simple(static_cast<int>(extent.size()), extent.data(), nullptr),
+                     "make " + path);
+  const H5 dataset(H5Dcreate2(file_, path.c_str(), type, dataSpace, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT),
+                   "make " + path);
+  checkHdf5(H5Dwrite(dataset, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values), "write " + path);
+}
+
+void Hdf5Output::link(const std::string& from, const std::string& to) const {
+  checkHdf5(H5Lcreate_hard(file_, from.c_str(), file_, to.c_str(), H5P_DEFAULT, H5P_DEFAULT), "link " + to);
+}
+
+void Hdf5Output::flush() const { checkHdf5(H5Fflush(file_, H5F_SCOPE_GLOBAL), "write the file"); }
+
+}  // namespace bedmix

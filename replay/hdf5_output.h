@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "replay/hdf5_handle.h"
+
+#include <cstddef>
+#include <filesystem>
+#include <initializer_list>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace bedmix {
+
+/// One dataset that grows by a row a frame. Chunks are whole rows, so that a row is written once.
+class TimeSeries {
+ public:
+  TimeSeries(hid_t file, std::string path, hid_t type, std::vector<hsize_t> row);
+
+  /// Writes row `index` and makes it the last one. `row` must have the size the series was made with.
+  void append(hsize_t index, std::span<const std::byte> row);
+
+ private:
+  std::string path_;
+  hid_t type_;
+  std::vector<hsize_t> row_;  // extents of a row
+  std::size_t rowBytes_;
+  H5 dataset_;
+};
+
+/// An HDF5 file being written. Paths are absolute; a group is made before what lies in it.
+class Hdf5Output {
+ public:
+  explicit Hdf5Output(const std::filesystem::path& path);
+
+  void group(const std::string& path) const;
+  void text(const std::string& path, const std::string& value) const;
+  void attribute(const std::string& path, const char* name, const std::vector<std::string>& values) const;
+  void attribute(const std::string& path, const char* name, std::span<const std::int32_t> values) const;
+  void number(const std::string& path, std::uint64_t value) const {
+    fixed(path, h5Type<std::uint64_t>(), {}, &value);
+  }
+  /// A list that is written once.
+  template <class T>
+  void fixed(const std::string& path, std::span<const T> values) const {
+    fixed(path, h5Type<T>(), {values.size()}, values.data());
+  }
+  /// A dataset that grows, its `row` having these extents ({} for a number a frame).
+  template <class T>
+  TimeSeries series(const std::string& path, std::vector<hsize_t> row) const {
+    return {file_, path, h5Type<T>(), std::move(row)};
+  }
+  /// The same object under a second path.
+  void link(const std::string& from, const std::string& to) const;
+  /// Hands everything to the system, which then keeps it whatever becomes of this program.
+  void flush() const;
+
+ private:
+  void fixed(const std::string& path, hid_t type, const std::vector<hsize_t>& extent,
+             const void* values) const;
+
+  H5 file_;
+};
+
+}  // namespace bedmix

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+#include "replay/series_log.h"
+
+#include "engine/core/bed_statistics.h"
+
+namespace bedmix {
+
+Result<MixingLog> MixingLog::create(const std::filesystem::path& path, const SamplingGrid& grid) {
+  Result<CsvWriter> csv = CsvWriter::create(
+      path, "time,lacey,ashton,stddev,tracer_mean,cells,particles_per_cell,counted_fraction");
+  if (!csv) return csv.problems;
+  return MixingLog(std::move(*csv), grid);
+}
+
+std::optional<Diagnostic> MixingLog::write(const Frame& frame) {
+  const MixingSample s = mixingSample(frame, grid_);
+  return csv_.row(
+      {s.time, s.lacey, s.ashton, s.stddev, s.tracerMean, s.cells, s.particlesPerCell, s.countedFraction});
+}
+
+Result<FluxLog> FluxLog::create(const std::filesystem::path& path, const Scene& scene) {
+  Result<CsvWriter> csv = CsvWriter::create(path, "time,flux");
+  if (!csv) return csv.problems;
+  return FluxLog(std::move(*csv), scene);
+}
+
+std::optional<Diagnostic> FluxLog::write(const Frame& frame) {
+  return csv_.row({frame.time, solidsFlux(frame, scene_)});
+}
+
+Result<PressureLog> PressureLog::create(const std::filesystem::path& path, const Scene& scene) {
+  Result<CsvWriter> csv = CsvWriter::create(path, "time,pressure_drop,bed_height");
+  if (!csv) return csv.problems;
+  return PressureLog(std::move(*csv), scene);
+}
+
+std::optional<Diagnostic> PressureLog::write(const Frame& frame) {
+  return csv_.row({frame.time, pressureDrop(frame, grid_), bedHeight(frame, scene_)});
+}
+
+}  // namespace bedmix

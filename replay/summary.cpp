@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: MIT
+#include "replay/summary.h"
+
+#include "engine/core/scene_description.h"
+#include "replay/file_trouble.h"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <cerrno>
+#include <charconv>
+#include <cstring>
+#include <fstream>
+#include <type_traits>
+
+namespace bedmix {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// The settings as JSON, key by key as scene_description.h lists them.
+struct JsonVisitor {
+  Json& into;
+
+  template <class T>
+  static Json tree(T& settings) {
+    Json table = Json::object();
+    JsonVisitor visitor{table};
+    describe(settings, visitor);
+    return table;
+  }
+
+  template <class T>
+  void operator()(const Key& key, T& value) {
+    Json& at = into[std::string(key.name)];
+    if constexpr (std::is_enum_v<T>)
+      at = modelName(value);
+    else if constexpr (std::is_class_v<T> && !std::is_same_v<T, std::string>)
+      at = tree(value);
+    else
+      at = value;
+  }
+  template <class T>
+  void operator()(const Key& key, std::optional<T>& value) {
+    if (value) (*this)(key, *value);
+  }
+  void operator()(const Key& key, std::vector<GridSpan>& spans) {
+    Json& list = into[std::string(key.name)] = Json::array();
+    for (const GridSpan& span : spans) list.push_back({span.count, span.size});
+  }
+  void operator()(const Key& key, std::vector<Inlet>& inlets) {
+    Json& list = into[std::string(key.name)] = Json::array();
+    for (Inlet& inlet : inlets) list.push_back(tree(inlet));
+  }
+};
+
+std::uint64_t fromHex(const std::string& text) {
+  std::uint64_t value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value, 16);
+  if (error != std::errc() || end != text.data() + text.size())
+    throw std::invalid_argument("state_hash '" + text + "' is not hexadecimal");
+  return value;
+}
+
+}  // namespace
+
+std::optional<Diagnostic> writeSummary(const std::filesystem::path& path, const RunSummary& s,
+                                       const Scene& scene) {
+  Json stages = Json::object();
+  for (const auto& [name, seconds] : s.stages) stages[name] = seconds;
+  Scene settings = scene;
+  const Json json{{"scene", s.scene},
+                  {"seed", s.seed},
+                  {"version", s.version},
+                  {"commit", s.commit},
+                  {"settings", JsonVisitor::tree(settings)},
+                  {"simulated_seconds", s.simulatedSeconds},
+                  {"wall_seconds", s.wallSeconds},
+                  {"steps", s.steps},
+                  {"gas_steps", s.gasSteps},
+                  {"particle_steps_per_second", s.particleStepsPerSecond},
+                  {"stages", stages},
+                  {"threads", s.threads},
+                  {"state_hash", fmt::format("{:016x}", s.stateHash)},
+                  {"end_reason", s.endReason}};
+
+  std::filesystem::path part = path;
+  part += ".part";
+  std::ofstream file(part, std::ios::binary);
+  file << json.dump(2, ' ', false, Json::error_handler_t::replace) << '\n';
+  file.close();
+  if (!file) {
+    const std::string reason = std::strerror(errno);
+    std::error_code ignored;
+    std::filesystem::remove(part, ignored);
+    return fileTrouble(path, "cannot be written: " + reason);
+  }
+  std::error_code error;
+  std::filesystem::rename(part, path, error);
+  if (error) return fileTrouble(path, "cannot be written: " + error.message());
+  return std::nullopt;
+}
+
+Result<RunSummary> readSummary(const std::filesystem::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  if (!file) return fileTrouble(path, std::string("cannot be read: ") + std::strerror(errno));
+  try {
+    const Json json = Json::parse(file);
+    RunSummary s;
+    json.at("scene").get_to(s.scene);
+    json.at("seed").get_to(s.seed);
+    json.at("version").get_to(s.version);
+    json.at("commit").get_to(s.commit);
+    json.at("simulated_seconds").get_to(s.simulatedSeconds);
+    json.at("wall_seconds").get_to(s.wallSeconds);
+    json.at("steps").get_to(s.steps);
+    json.at("gas_steps").get_to(s.gasSteps);
+    json.at("particle_steps_per_second").get_to(s.particleStepsPerSecond);
+    for (const auto& [name, seconds] : json.at("stages").items())
+      s.stages.emplace_back(name, seconds.get<double>());
+    json.at("threads").get_to(s.threads);
+    s.stateHash = fromHex(json.at("state_hash").get<std::string>());
+    json.at("end_reason").get_to(s.endReason);
+    return s;
+  } catch (const std::exception& e) {
+    return fileTrouble(path, std::string("is not a summary of a bedmix run: ") + e.what());
+  }
+}
+
+}  // namespace bedmix

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// What stands where in trajectory.h5, for its writer and its reader. T frames, N particles, gas cells in rows
+// and columns. A time-dependent element is a group with `value` and the `step` and `time` that all of them
+// share by hard links.
+//
+//   h5md                         version {1, 1}, author, creator
+//   particles/all/box            dimension 2, boundary {"none", "none"}, edges {width, height}, m
+//   particles/all/position       value[T][N][2] float, m
+//   particles/all/velocity       value[T][N][2] float, m/s
+//   particles/all/angular_velocity  value[T][N] float, rad/s; only with friction
+//   particles/all/species        [N], 1 = tracer
+//   particles/all/id             [N]
+//   observables/...              value[T] double, NaN where undefined
+//   parameters/scene             the scene as TOML, every default resolved
+//   parameters/...               scene_name, seed, version, commit
+//   bedmix/gas/x, y              faces of the gas grid, m; only with gas, like all below
+//   bedmix/gas/lowest_row        [columns], rows below are blocked
+//   bedmix/gas/voidage           value[T][rows][columns] float
+//   bedmix/gas/pressure          value[T][rows][columns] float, Pa above the outlet's
+//   bedmix/gas/gas_velocity      value[T][rows][columns][2] float, m/s, interstitial
+
+namespace bedmix::layout {
+
+inline constexpr const char* fileName = "trajectory.h5";
+
+inline constexpr const char* particles = "particles/all";
+inline constexpr const char* box = "particles/all/box";
+inline constexpr const char* position = "particles/all/position";
+inline constexpr const char* velocity = "particles/all/velocity";
+inline constexpr const char* angularVelocity = "particles/all/angular_velocity";
+inline constexpr const char* species = "particles/all/species";
+inline constexpr const char* id = "particles/all/id";
+
+inline constexpr const char* scene = "parameters/scene";
+inline constexpr const char* sceneName = "parameters/scene_name";
+
+inline constexpr const char* gas = "bedmix/gas";
+inline constexpr const char* voidage = "bedmix/gas/voidage";
+inline constexpr const char* pressure = "bedmix/gas/pressure";
+inline constexpr const char* gasVelocity = "bedmix/gas/gas_velocity";
+
+}  // namespace bedmix::layout

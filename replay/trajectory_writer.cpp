@@ -1,0 +1,198 @@
+// SPDX-License-Identifier: MIT
+#include "replay/trajectory_writer.h"
+
+#include "engine/core/bed_statistics.h"
+#include "engine/core/mixing.h"
+#include "engine/core/scene_reader.h"
+#include "replay/file_trouble.h"
+#include "replay/hdf5_output.h"
+#include "replay/trajectory_layout.h"
+
+#include <array>
+#include <functional>
+#include <limits>
+
+namespace bedmix {
+
+namespace {
+
+using Bytes = std::span<const std::byte>;
+
+template <class T>
+Bytes bytes(const T& value) {
+  return std::as_bytes(std::span(&value, 1));
+}
+template <class T>
+Bytes bytes(const std::vector<T>& values) {
+  return std::as_bytes(std::span(values));
+}
+
+/// What the file holds beside the frames themselves; NaN where undefined.
+struct Observables {
+  double lacey, ashton, stddev, flux, pressureDrop, bedHeight;
+};
+
+double orNan(const std::optional<double>& value) {
+  return value.value_or(std::numeric_limits<double>::quiet_NaN());
+}
+
+/// All that does not change with time, beside the particles' own constants.
+void writeHeader(const Hdf5Output& out, const Scene& scene, const Provenance& provenance) {
+  constexpr std::int32_t h5mdVersion[] = {1, 1};
+  constexpr std::int32_t dimension[] = {2};
+  for (const char* group : {"h5md", "h5md/author", "h5md/creator", "parameters", "particles",
+                            layout::particles, layout::box, "observables"})
+    out.group(group);
+  out.attribute("h5md", "version", h5mdVersion);
+  out.attribute("h5md/author", "name", {"bedmix"});
+  out.attribute("h5md/creator", "name", {"bedmix"});
+  out.attribute("h5md/creator", "version", {provenance.version});
+
+  out.text(layout::scene, writeScene(scene));
+  out.text(layout::sceneName, scene.name);
+  out.text("parameters/version", provenance.version);
+  out.text("parameters/commit", provenance.commit);
+  out.number("parameters/seed", scene.seed);
+
+  out.attribute(layout::box, "dimension", dimension);
+  out.attribute(layout::box, "boundary", {"none", "none"});
+  out.fixed<double>(layout::box + std::string("/edges"), std::array{scene.bed.width, scene.bed.height});
+}
+
+void writeGasGrid(const Hdf5Output& out, const GasGrid& grid) {
+  out.group("bedmix");
+  out.group(layout::gas);
+  out.fixed<double>(layout::gas + std::string("/x"), grid.x);
+  out.fixed<double>(layout::gas + std::string("/y"), grid.y);
+  out.fixed<std::int32_t>(layout::gas + std::string("/lowest_row"), grid.lowestRow);
+}
+
+/// One time-dependent element, and where a frame has its row.
+struct Element {
+  TimeSeries value;
+  std::function<Bytes(const Frame&)> row;
+};
+
+}  // namespace
+
+struct TrajectoryWriter::State {
+  std::filesystem::path path;
+  Scene scene;
+  SamplingGrid sampling;
+  std::optional<GasGrid> grid;
+  Hdf5Output out;
+  std::optional<TimeSeries> step, time;  // of all elements
+  std::vector<Element> elements;
+  Observables seen{};
+  std::vector<std::uint8_t> species;
+  std::vector<std::int32_t> id;
+  hsize_t frames = 0;
+
+  State(const std::filesystem::path& file, const Scene& s, const Provenance& provenance)
+      : path(file), scene(s), sampling(samplingGrid(s)), out(file) {
+    writeHeader(out, scene, provenance);
+    if (scene.gas) writeGasGrid(out, grid.emplace(makeGasGrid(scene)));
+    addParticles();
+    addObservables();
+    if (grid) addGas();
+    out.flush();
+  }
+
+  template <class T>
+  void add(const std::string& name, std::vector<hsize_t> extent, std::function<Bytes(const Frame&)> row) {
+    out.group(name);
+    if (elements.empty()) {
+      step = out.series<std::int64_t>(name + "/step", {});
+      time = out.series<double>(name + "/time", {});
+    } else {
+      out.link(layout::position + std::string("/step"), name + "/step");
+      out.link(layout::position + std::string("/time"), name + "/time");
+    }
+    elements.push_back({out.series<T>(name + "/value", std::move(extent)), std::move(row)});
+  }
+
+  void addParticles() {
+    const auto n = static_cast<hsize_t>(scene.particles.count);
+    add<float>(layout::position, {n, 2}, [](const Frame& f) { return bytes(f.position); });
+    add<float>(layout::velocity, {n, 2}, [](const Frame& f) { return bytes(f.velocity); });
+    if (scene.contacts.friction)
+      add<float>(layout::angularVelocity, {n}, [](const Frame& f) { return bytes(f.angularVelocity); });
+  }
+
+  void addObservables() {
+    const auto observe = [this](const std::string& name, const double& value) {
+      add<double>("observables/" + name, {}, [&value](const Frame&) { return bytes(value); });
+    };
+    observe("lacey", seen.lacey);
+    observe("ashton", seen.ashton);
+    observe("stddev", seen.stddev);
+    if (scene.flux) observe("flux", seen.flux);
+    if (grid) observe("pressure_drop", seen.pressureDrop);
+    observe("bed_height", seen.bedHeight);
+  }
+
+  void addGas() {
+    const auto rows = static_cast<hsize_t>(grid->rows), columns = static_cast<hsize_t>(grid->columns);
+    add<float>(layout::voidage, {rows, columns}, [](const Frame& f) { return bytes(f.gas.voidage); });
+    add<float>(layout::pressure, {rows, columns}, [](const Frame& f) { return bytes(f.gas.pressure); });
+    add<float>(layout::gasVelocity, {rows, columns, 2}, [](const Frame& f) { return bytes(f.gas.velocity); });
+  }
+
+  /// Species and ids are written once, so they must not change.
+  void writeConstants(const Frame& frame) {
+    if (frames == 0) {
+      species = frame.species;
+      id = frame.id;
+      out.fixed<std::uint8_t>(layout::species, species);
+      out.fixed<std::int32_t>(layout::id, id);
+    }
+    if (frame.species != species || frame.id != id)
+      throw Hdf5Error("cannot write step " + std::to_string(frame.step) +
+                      ": particles changed their ids or species during the run");
+  }
+
+  void observe(const Frame& frame) {
+    const MixingSample mixing = mixingSample(frame, sampling);
+    seen.lacey = orNan(mixing.lacey);
+    seen.ashton = orNan(mixing.ashton);
+    seen.stddev = orNan(mixing.stddev);
+    if (scene.flux) seen.flux = solidsFlux(frame, scene);
+    if (grid) seen.pressureDrop = pressureDrop(frame, *grid);
+    seen.bedHeight = bedHeight(frame, scene);
+  }
+
+  void write(const Frame& frame) {
+    writeConstants(frame);
+    observe(frame);
+    for (Element& e : elements) e.value.append(frames, e.row(frame));
+    time->append(frames, bytes(frame.time));
+    step->append(frames, bytes(frame.step));
+    out.flush();
+    ++frames;
+  }
+};
+
+Result<TrajectoryWriter> TrajectoryWriter::create(const std::filesystem::path& path, const Scene& scene,
+                                                  const Provenance& provenance) {
+  try {
+    return TrajectoryWriter(std::make_unique<State>(path, scene, provenance));
+  } catch (const Hdf5Error& e) {
+    return fileTrouble(path, e.what());
+  }
+}
+
+TrajectoryWriter::TrajectoryWriter(std::unique_ptr<State> state) : state_(std::move(state)) {}
+TrajectoryWriter::~TrajectoryWriter() = default;
+TrajectoryWriter::TrajectoryWriter(TrajectoryWriter&&) noexcept = default;
+TrajectoryWriter& TrajectoryWriter::operator=(TrajectoryWriter&&) noexcept = default;
+
+std::optional<Diagnostic> TrajectoryWriter::write(const Frame& frame) {
+  try {
+    state_->write(frame);
+    return std::nullopt;
+  } catch (const Hdf5Error& e) {
+    return fileTrouble(state_->path, e.what());
+  }
+}
+
+}  // namespace bedmix

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: MIT
+#include "tests/replay/synthetic.h"
+
+#include <algorithm>
+#include <bit>
+#include <cstdlib>
+#include <fstream>
+#include <iterator>
+#include <span>
+
+namespace bedmix::test {
+
+Scene syntheticScene(bool gas, bool friction, int particles) {
+  Scene scene;
+  scene.name = "synthetic";
+  scene.title = "Grains à la \"carte\"";
+  scene.seed = 0xfedcba9876543210ull >> 1;
+  scene.bed = {0.048, 0.12, 0.004, BedTop::open};
+  scene.particles.count = particles;
+  scene.contacts.restitution = 0.9;
+  if (friction) scene.contacts.friction.emplace();
+  if (gas) {
+    scene.gas.emplace();
+    scene.gas->grid = {{{4, 0.012}}, {{10, 0.012}}};
+    scene.gas->inlets = {{0.0, 0.048, std::nullopt, 2.0}};
+  }
+  scene.sampling = {2, 3, 5, 0.01};
+  scene.flux = {0.024, 0.0, 0.04};
+  return scene;
+}
+
+Frame syntheticFrame(const Scene& scene, int index) {
+  Rng rng(static_cast<std::uint64_t>(index) + 1000);
+  const auto draw = [&](double low, double high) { return static_cast<float>(rng.uniform(low, high)); };
+  Frame frame;
+  frame.step = std::int64_t{1000} * index;
+  frame.time = index / 100.0;
+  for (int i = 0; i < scene.particles.count; ++i) {
+    frame.position.push_back({draw(0.0, 0.048), draw(0.0, 0.12)});
+    frame.velocity.push_back({draw(-2.0, 2.0), i % 7 == 0 ? -0.0f : draw(-1e-39, 1e-39)});
+    if (scene.contacts.friction) frame.angularVelocity.push_back(draw(-1e3, 1e3));
+    frame.species.push_back(i % 3 == 0);
+    frame.id.push_back(i);
+  }
+  if (scene.gas) {
+    for (int c = 0; c < 40; ++c) {
+      frame.gas.voidage.push_back(draw(0.36, 1.0));
+      frame.gas.pressure.push_back(draw(-10.0, 2000.0));
+      frame.gas.velocity.push_back({draw(-3.0, 3.0), draw(-3.0, 9.0)});
+    }
+  }
+  return frame;
+}
+
+namespace {
+
+template <class T>
+bool sameBytes(const std::vector<T>& a, const std::vector<T>& b) {
+  const auto bytes = [](const std::vector<T>& v) { return std::as_bytes(std::span(v)); };
+  return std::ranges::equal(bytes(a), bytes(b));
+}
+
+}  // namespace
+
+bool sameBits(const Frame& a, const Frame& b) {
+  return a.step == b.step && std::bit_cast<std::uint64_t>(a.time) == std::bit_cast<std::uint64_t>(b.time) &&
+         sameBytes(a.position, b.position) && sameBytes(a.velocity, b.velocity) &&
+         sameBytes(a.angularVelocity, b.angularVelocity) && a.species == b.species && a.id == b.id &&
+         sameBytes(a.gas.voidage, b.gas.voidage) && sameBytes(a.gas.pressure, b.gas.pressure) &&
+         sameBytes(a.gas.velocity, b.gas.velocity);
+}
+
+TemporaryFolder::TemporaryFolder() {
+  std::string name = (std::filesystem::temp_directory_path() / "bedmix-test-XXXXXX").string();
+  if (!mkdtemp(name.data())) std::abort();
+  path_ = name;
+}
+
+TemporaryFolder::~TemporaryFolder() {
+  std::error_code ignored;
+  std::filesystem::remove_all(path_, ignored);
+}
+
+std::string fileText(const std::filesystem::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+}  // namespace bedmix::test
