@@ -133,10 +133,16 @@ std::optional<std::string> Simulation::State::particleSteps(std::int64_t n) {
       trouble->particle, trouble->value, trouble->stage, time, scene.limits.maxOverlap);
 }
 
-Simulation::Simulation(const Scene& scene, int /*threads*/) : state_(std::make_unique<State>()) {
+Result<Simulation> Simulation::make(const Scene& scene, int /*threads*/) {
+  Result<Particles> start = packBed(scene);
+  if (!start) return start.problems;
+  return Simulation(scene, std::move(*start));
+}
+
+Simulation::Simulation(const Scene& scene, Particles start) : state_(std::make_unique<State>()) {
   State& s = *state_;
   s.scene = scene;
-  s.solver = ParticleSolver::make(scene, packBed(scene), bedWalls(scene));
+  s.solver = ParticleSolver::make(scene, std::move(start), bedWalls(scene));
   const Particles& particles = s.solver->particles();
   if (scene.gas) s.gas = std::make_unique<CoupledGas>(scene, particles);
   std::vector<Vec2f> position;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "engine/core/diagnostic.h"
 #include "engine/core/frame.h"
 #include "engine/core/scene.h"
 
@@ -13,6 +14,8 @@
 #include <vector>
 
 namespace bedmix {
+
+struct Particles;
 
 /// The stages of a step, in their order; one timer each.
 enum class Stage { neighbours, voidage, drag, gas, contacts, integrate, count };
@@ -34,9 +37,10 @@ struct StepReport {
 /// scene are the same to the bit. Not thread-safe; one thread owns it (see Worker).
 class Simulation {
  public:
-  /// Arranges the particles (settling takes seconds for the paper's bed) and fills the gas with still gas. `threads`
-  /// never changes a result.
-  explicit Simulation(const Scene& scene, int threads = 1);
+  /// Arranges the particles (settling takes seconds for the paper's bed) and fills the bed with still gas.
+  /// `threads` never changes a result. Fails where the particles find no room or settling breaks the overlap
+  /// limit.
+  static Result<Simulation> make(const Scene& scene, int threads = 1);
   ~Simulation();
   Simulation(Simulation&&) noexcept;
   Simulation& operator=(Simulation&&) noexcept;
@@ -45,8 +49,8 @@ class Simulation {
   /// which stage, what time, what to do), and the simulation must not be advanced further.
   [[nodiscard]] std::optional<std::string> advance(std::int64_t steps);
 
-  /// Changes what the gas enters through, from the next gas step on. The scene must have gas and the inlets must fit
-  /// its floor.
+  /// Changes what the gas enters through, from the next gas step on. The scene must have gas and the inlets
+  /// must fit its floor.
   void setInlets(const std::vector<Inlet>& inlets);
 
   std::int64_t step() const;
@@ -59,6 +63,7 @@ class Simulation {
   const StepReport& report() const;
 
  private:
+  Simulation(const Scene& scene, Particles start);
   struct State;
   std::unique_ptr<State> state_;
 };

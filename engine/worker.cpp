@@ -61,8 +61,14 @@ struct Worker::State {
   RunEnd run(const std::stop_token& stop) {
     RunEnd outcome;
     const auto settling = std::chrono::steady_clock::now();
-    Simulation simulation(scene, threads);
+    Result<Simulation> made = Simulation::make(scene, threads);
     outcome.settleSeconds = secondsSince(settling);
+    if (!made) {
+      outcome.reason = EndReason::invalid;
+      outcome.message = toString(made.problems.front());
+      return outcome;
+    }
+    Simulation& simulation = *made;
 
     const auto running = std::chrono::steady_clock::now();
     const std::int64_t last = totalSteps(scene), perFrame = stepsPerFrame(scene);

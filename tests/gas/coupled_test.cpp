@@ -29,7 +29,7 @@ TEST(Coupled, TerminalVelocityOfOneSphere) {
   scene.time.step = 5e-5;
   scene.particles.count = 1;
   scene.start.arrangement = Arrangement::drop;
-  Simulation simulation(scene);
+  Simulation simulation = test::simulate(scene);
   ASSERT_EQ(simulation.advance(100'000), std::nullopt);  // 5 s, 8 relaxation times
 
   const FramePtr frame = simulation.frame();
@@ -48,7 +48,7 @@ TEST(Coupled, MinimumFluidizationOnASlowRamp) {
   scene.bed.width = 0.048;
   scene.gas->grid.columns = {{4, 0.012}};
   scene.particles.count = 350;
-  Simulation simulation(scene);
+  Simulation simulation = test::simulate(scene);
   const GasGrid grid = makeGasGrid(scene);
 
   // Voidage of the resting bed, from the rows that lie wholly inside it.
@@ -57,7 +57,7 @@ TEST(Coupled, MinimumFluidizationOnASlowRamp) {
   double voidage = 0.0;
   for (int r = 0; r < fullRows; ++r)
     for (int c = 0; c < grid.columns; ++c)
-      voidage += rest->gas.voidage[grid.cell(c, r)] / (fullRows * grid.columns);
+      voidage += static_cast<double>(rest->gas.voidage[grid.cell(c, r)]) / (fullRows * grid.columns);
 
   // Ergun's root: the pressure gradient carries the weight.
   const double mu = scene.gas->viscosity, rho = scene.gas->density, d = scene.particles.diameter;
@@ -82,7 +82,7 @@ TEST(Coupled, PressureDropCarriesTheBedAtTwiceMinimumFluidization) {
   Scene scene = test::paperScene(0.0);
   scene.gas->inlets = {{0.0, scene.bed.width, std::nullopt, 2.0}};
   scene.limits.maxOverlap = 0.3;
-  Simulation simulation(scene);
+  Simulation simulation = test::simulate(scene);
   const GasGrid grid = makeGasGrid(scene);
   ASSERT_EQ(simulation.advance(100'000), std::nullopt);  // 1 s: the first plug has come down
   double sum = 0.0;

@@ -22,7 +22,7 @@ Scene smallScene() {
 }
 
 TEST(Determinism, TwoSimulationsAgreeStepByStep) {
-  Simulation a(smallScene(), 1), b(smallScene(), 2);
+  Simulation a = test::simulate(smallScene(), 1), b = test::simulate(smallScene(), 2);
   ASSERT_EQ(a.stateHash(), b.stateHash());
   for (int k = 0; k < 200; ++k) {
     ASSERT_EQ(a.advance(10), std::nullopt);
@@ -32,7 +32,7 @@ TEST(Determinism, TwoSimulationsAgreeStepByStep) {
 }
 
 TEST(Determinism, HowStepsAreAskedForDoesNotMatter) {
-  Simulation a(smallScene()), b(smallScene());
+  Simulation a = test::simulate(smallScene()), b = test::simulate(smallScene());
   ASSERT_EQ(a.advance(2003), std::nullopt);
   for (std::int64_t n : {1, 9, 10, 13, 970, 1000}) ASSERT_EQ(b.advance(n), std::nullopt);
   EXPECT_EQ(a.stateHash(), b.stateHash());
@@ -42,10 +42,10 @@ TEST(Determinism, HowStepsAreAskedForDoesNotMatter) {
 TEST(Determinism, SeedMovesTheStateAndNothingElseDoes) {
   Scene other = smallScene();
   other.seed = 2;
-  EXPECT_NE(Simulation(smallScene()).stateHash(), Simulation(other).stateHash());
+  EXPECT_NE(test::simulate(smallScene()).stateHash(), test::simulate(other).stateHash());
   other.seed = 1;
   other.sampling.interval = 0.005;
-  EXPECT_EQ(Simulation(smallScene()).stateHash(), Simulation(other).stateHash());
+  EXPECT_EQ(test::simulate(smallScene()).stateHash(), test::simulate(other).stateHash());
 }
 
 TEST(Worker, HandsOutEveryFrameInOrderAndEndsLikeTheSimulation) {
@@ -58,7 +58,7 @@ TEST(Worker, HandsOutEveryFrameInOrderAndEndsLikeTheSimulation) {
     ++frames;
   }
   EXPECT_EQ(frames, 6);
-  Simulation simulation(scene);
+  Simulation simulation = test::simulate(scene);
   ASSERT_EQ(simulation.advance(totalSteps(scene)), std::nullopt);
   EXPECT_EQ(worker.end().stateHash, simulation.stateHash());
   EXPECT_EQ(worker.end().reason, EndReason::finished);
@@ -77,7 +77,9 @@ TEST(Worker, StopsOnRequestWithTheFramesInHand) {
 
 TEST(Worker, ReportsAnInvalidSolution) {
   Scene scene = smallScene();
+  scene.start.arrangement = Arrangement::drop;
   scene.limits.maxOverlap = 1e-9;
+  scene.time.duration = 1.0;
   Worker worker(scene);
   while (worker.next()) {
   }

@@ -3,8 +3,9 @@
 
 #include "engine/core/scene.h"
 #include "engine/core/vec2.h"
+#include "engine/simulation.h"
 
-#include <numbers>
+#include <utility>
 #include <vector>
 
 namespace bedmix::test {
@@ -27,6 +28,12 @@ inline Scene inclinedScene() {
   scene.floor.inclinationDeg = 18.0;
   scene.gas->inlets = {{0.0, 0.024, std::nullopt, 5.0}, {0.072, 0.096, std::nullopt, 3.0}};
   return scene;
+}
+
+/// A simulation of a scene that is known to be in order.
+inline Simulation simulate(const Scene& scene, int threads = 1) {
+  Result<Simulation> made = Simulation::make(scene, threads);
+  return std::move(made.value).value();
 }
 
 /// Centres of a square lattice of touching spheres that fills the bed.
