@@ -41,12 +41,13 @@ class StageClock {
 
 /// The gas and all that ties it to the particles. One allocation, since its parts point at each other.
 struct CoupledGas {
+  ThreadTeam team;
   GasSolver solver;
   VoidageField voidage;
   Exchange exchange;
 
-  CoupledGas(const Scene& scene, const Particles& particles)
-      : solver(scene), voidage(scene, solver.grid()), exchange(scene, solver, voidage) {
+  CoupledGas(const Scene& scene, const Particles& particles, int threads)
+      : team(threads), solver(scene), voidage(scene, solver.grid()), exchange(scene, solver, voidage, team) {
     voidage.update(particles.x, particles.y);
     solver.startWith(voidage.voidage());
   }
@@ -133,18 +134,18 @@ std::optional<std::string> Simulation::State::particleSteps(std::int64_t n) {
       trouble->particle, trouble->value, trouble->stage, time, scene.limits.maxOverlap);
 }
 
-Result<Simulation> Simulation::make(const Scene& scene, int /*threads*/) {
+Result<Simulation> Simulation::make(const Scene& scene, int threads) {
   Result<Particles> start = packBed(scene);
   if (!start) return start.problems;
-  return Simulation(scene, std::move(*start));
+  return Simulation(scene, std::move(*start), threads);
 }
 
-Simulation::Simulation(const Scene& scene, Particles start) : state_(std::make_unique<State>()) {
+Simulation::Simulation(const Scene& scene, Particles start, int threads) : state_(std::make_unique<State>()) {
   State& s = *state_;
   s.scene = scene;
   s.solver = ParticleSolver::make(scene, std::move(start), bedWalls(scene));
   const Particles& particles = s.solver->particles();
-  if (scene.gas) s.gas = std::make_unique<CoupledGas>(scene, particles);
+  if (scene.gas) s.gas = std::make_unique<CoupledGas>(scene, particles, threads);
   std::vector<Vec2f> position;
   for (std::size_t i = 0; i < particles.size(); ++i) {
     position.push_back(toFloat({particles.x[i], particles.y[i]}));

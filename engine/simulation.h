@@ -63,7 +63,7 @@ class Simulation {
   const StepReport& report() const;
 
  private:
-  Simulation(const Scene& scene, Particles start);
+  Simulation(const Scene& scene, Particles start, int threads);
   struct State;
   std::unique_ptr<State> state_;
 };

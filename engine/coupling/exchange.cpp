@@ -5,9 +5,10 @@
 
 namespace bedmix {
 
-Exchange::Exchange(const Scene& scene, const GasSolver& gas, const VoidageField& voidage)
+Exchange::Exchange(const Scene& scene, const GasSolver& gas, const VoidageField& voidage, ThreadTeam& team)
     : gas_(gas),
       voidage_(voidage),
+      team_(team),
       columns_(gas.grid().x),
       rows_(gas.grid().y),
       drag_(dragFunction(scene.gas->drag)),
@@ -49,29 +50,38 @@ Vec2 Exchange::gasVelocity(const FaceWeights& w) const {
   return u;
 }
 
+/// B times the coupling of particle i, whose weights are known.
+double Exchange::dragCoefficient(std::size_t i, Vec2 velocity) const {
+  const VolumeShares& s = voidage_.shares()[i];
+  double voidage = 0.0;
+  for (int k = 0; k < 4; ++k) voidage += s.share[k] * voidage_.voidage()[s.cell[k]];
+  voidage /= s.coupling;
+  const double slip = norm(gasVelocity(weights_[i]) - velocity);
+  return s.coupling * particleVolume_ * drag_(voidage, slip, properties_) / (1.0 - voidage);
+}
+
 void Exchange::evaluateDrag(const Particles& particles, MomentumExchange& exchange) {
   weights_.resize(particles.size());
   coefficient_.resize(particles.size());
+  team_.forBlocks(particles.size(), [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      const bool coupled = voidage_.shares()[i].coupling > 0.0;
+      weights_[i] = weightsAt(particles.x[i], particles.y[i]);
+      coefficient_[i] = coupled ? dragCoefficient(i, {particles.vx[i], particles.vy[i]}) : 0.0;
+    }
+  });
+  // Sums over particles stay in the order of the particles.
   std::fill(exchange.coefficient.begin(), exchange.coefficient.end(), 0.0);
   std::fill(exchange.source.begin(), exchange.source.end(), 0.0);
   for (std::size_t i = 0; i < particles.size(); ++i) {
-    const VolumeShares& s = voidage_.shares()[i];
-    coefficient_[i] = 0.0;
-    if (s.coupling == 0.0) continue;
-    double voidage = 0.0;
-    for (int k = 0; k < 4; ++k) voidage += s.share[k] * voidage_.voidage()[s.cell[k]];
-    voidage /= s.coupling;
-
-    FaceWeights& w = weights_[i];
-    w = weightsAt(particles.x[i], particles.y[i]);
-    const double slip = norm(gasVelocity(w) - Vec2{particles.vx[i], particles.vy[i]});
-    const double b = s.coupling * particleVolume_ * drag_(voidage, slip, properties_) / (1.0 - voidage);
-    coefficient_[i] = b;
+    const FaceWeights& w = weights_[i];
+    const double b = coefficient_[i];
     for (int k = 0; k < 4; ++k) {
-      exchange.coefficient[w.u[k]] += b * w.uWeight[k];
-      exchange.source[w.u[k]] += b * w.uWeight[k] * particles.vx[i];
-      exchange.coefficient[w.v[k]] += b * w.vWeight[k];
-      exchange.source[w.v[k]] += b * w.vWeight[k] * particles.vy[i];
+      const double bu = b * w.uWeight[k], bv = b * w.vWeight[k];
+      exchange.coefficient[w.u[k]] += bu;
+      exchange.source[w.u[k]] += bu * particles.vx[i];
+      exchange.coefficient[w.v[k]] += bv;
+      exchange.source[w.v[k]] += bv * particles.vy[i];
     }
   }
 }
@@ -95,16 +105,15 @@ void Exchange::updatePressureGradient() {
 
 void Exchange::applyForces(Particles& particles) {
   updatePressureGradient();
-  for (std::size_t i = 0; i < particles.size(); ++i) {
-    const VolumeShares& s = voidage_.shares()[i];
-    Vec2 force;
-    if (s.coupling > 0.0) {
-      force = coefficient_[i] * (gasVelocity(weights_[i]) - Vec2{particles.vx[i], particles.vy[i]});
+  team_.forBlocks(particles.size(), [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      const VolumeShares& s = voidage_.shares()[i];
+      Vec2 force = coefficient_[i] * (gasVelocity(weights_[i]) - Vec2{particles.vx[i], particles.vy[i]});
       for (int k = 0; k < 4; ++k) force -= s.share[k] * particleVolume_ * gradient_[s.cell[k]];
+      particles.fx[i] = force.x;
+      particles.fy[i] = force.y;
     }
-    particles.fx[i] = force.x;
-    particles.fy[i] = force.y;
-  }
+  });
 }
 
 }  // namespace bedmix

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "engine/core/scene.h"
+#include "engine/core/thread_team.h"
 #include "engine/core/vec2.h"
 #include "engine/coupling/drag_laws.h"
 #include "engine/coupling/voidage.h"
@@ -21,7 +22,8 @@ namespace bedmix {
 /// voidage, for the same reason. Both forces are then held over the particle steps of one gas step.
 class Exchange {
  public:
-  Exchange(const Scene& scene, const GasSolver& gas, const VoidageField& voidage);
+  /// What is given by reference must outlive the exchange.
+  Exchange(const Scene& scene, const GasSolver& gas, const VoidageField& voidage, ThreadTeam& team);
 
   /// Drag coefficients at the present particles and gas velocity; fills the gas's exchange.
   void evaluateDrag(const Particles& particles, MomentumExchange& exchange);
@@ -36,11 +38,13 @@ class Exchange {
   };
   FaceWeights weightsAt(double x, double y) const;
   Vec2 gasVelocity(const FaceWeights& w) const;
+  double dragCoefficient(std::size_t i, Vec2 velocity) const;
   /// Mean of a cell's two faces; at a boundary face, which has no gradient of its own, the other one alone.
   void updatePressureGradient();
 
   const GasSolver& gas_;
   const VoidageField& voidage_;
+  ThreadTeam& team_;
   GridAxis columns_, rows_;
   DragFunction drag_;
   DragProperties properties_;

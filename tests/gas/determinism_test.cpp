@@ -31,6 +31,18 @@ TEST(Determinism, TwoSimulationsAgreeStepByStep) {
   }
 }
 
+TEST(Determinism, ThreadsDoNotMatterWhereThereIsWorkForThem) {
+  Scene scene = test::paperScene(2.6);  // 1000 particles: four blocks
+  scene.start.arrangement = Arrangement::drop;
+  Simulation one = test::simulate(scene, 1);
+  ASSERT_EQ(one.advance(2000), std::nullopt);
+  for (int threads : {2, 3, 4}) {
+    Simulation many = test::simulate(scene, threads);
+    ASSERT_EQ(many.advance(2000), std::nullopt);
+    ASSERT_EQ(many.stateHash(), one.stateHash()) << threads << " threads";
+  }
+}
+
 TEST(Determinism, HowStepsAreAskedForDoesNotMatter) {
   Simulation a = test::simulate(smallScene()), b = test::simulate(smallScene());
   ASSERT_EQ(a.advance(2003), std::nullopt);

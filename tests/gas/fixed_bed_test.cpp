@@ -15,6 +15,7 @@ namespace {
 struct FixedBed {
   Scene scene;
   Particles particles;
+  ThreadTeam team{1};
   GasSolver gas;
   VoidageField voidage;
   Exchange exchange;
@@ -24,7 +25,7 @@ struct FixedBed {
         particles(makeParticles(s, centres)),
         gas(s),
         voidage(s, gas.grid()),
-        exchange(s, gas, voidage) {
+        exchange(s, gas, voidage, team) {
     voidage.update(particles.x, particles.y);
     gas.startWith(voidage.voidage());
   }
