@@ -32,13 +32,18 @@ TEST(Determinism, TwoSimulationsAgreeStepByStep) {
 }
 
 TEST(Determinism, ThreadsDoNotMatterWhereThereIsWorkForThem) {
-  Scene scene = test::paperScene(2.6);  // 1000 particles: four blocks
+  Scene scene = test::paperScene(2.6);  // large enough that the helpers are really called
+  scene.bed.width = 0.48;
+  scene.bed.height = 0.84;
+  scene.particles.count = 9000;
+  scene.gas->grid.columns = {{40, 0.012}};
+  scene.gas->grid.rows = {{70, 0.012}};
   scene.start.arrangement = Arrangement::drop;
   Simulation one = test::simulate(scene, 1);
-  ASSERT_EQ(one.advance(2000), std::nullopt);
+  ASSERT_EQ(one.advance(200), std::nullopt);
   for (int threads : {2, 3, 4}) {
     Simulation many = test::simulate(scene, threads);
-    ASSERT_EQ(many.advance(2000), std::nullopt);
+    ASSERT_EQ(many.advance(200), std::nullopt);
     ASSERT_EQ(many.stateHash(), one.stateHash()) << threads << " threads";
   }
 }
