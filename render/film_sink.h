@@ -6,9 +6,10 @@
 #include "engine/core/scene.h"
 #include "render/painter.h"
 
+#include <cstdint>
+#include <filesystem>
 #include <limits>
 #include <memory>
-#include <string>
 
 namespace bedmix {
 
@@ -25,7 +26,7 @@ struct FilmOptions {
 /// Memory does not grow with length.
 class FilmSink final : public FrameSink {
  public:
-  static Result<FilmSink> create(const Scene& scene, const std::string& path,
+  static Result<FilmSink> create(const Scene& scene, const std::filesystem::path& path,
                                  const FilmOptions& options = {});
   ~FilmSink() override;  // without finish(): no film is left
   FilmSink(FilmSink&&) noexcept;

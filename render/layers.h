@@ -2,7 +2,7 @@
 #pragma once
 
 #include "engine/core/diagnostic.h"
-#include "engine/core/models.h"
+#include "engine/core/frame.h"
 #include "engine/core/scene.h"
 
 #include <array>
@@ -53,5 +53,7 @@ Result<Layers> parseLayers(std::string_view commaSeparated);
 
 /// What of `layers` the scene cannot show: a layer of the gas where there is none.
 std::vector<Diagnostic> missingFor(const Scene& scene, Layers layers);
+/// The same of a frame: gas fields that are not there or do not fit the scene's grid.
+std::vector<Diagnostic> missingFor(const Scene& scene, const Frame& frame, Layers layers);
 
 }  // namespace bedmix

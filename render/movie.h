@@ -4,6 +4,7 @@
 #include "engine/core/diagnostic.h"
 #include "render/image.h"
 
+#include <filesystem>
 #include <memory>
 #include <string>
 
@@ -16,7 +17,7 @@ namespace bedmix {
 class Movie {
  public:
   /// Fails as `unavailable` without an H.264 encoder, as `file` where `path` cannot be written.
-  static Result<Movie> create(const std::string& path, Size size, double fps);
+  static Result<Movie> create(const std::filesystem::path& path, Size size, double fps);
   ~Movie();  // without finish(): removes `path`.part
   Movie(Movie&&) noexcept;
   Movie& operator=(Movie&&) noexcept;

@@ -3,6 +3,7 @@
 
 #include "engine/core/diagnostic.h"
 
+#include <filesystem>
 #include <optional>
 #include <span>
 #include <string>
@@ -38,7 +39,8 @@ struct Curve {
 
 /// Draws curves with gnuplot into a .png, .svg or .pdf file, which gets its name when it is complete. Fails
 /// as `unavailable` without gnuplot. The same curves give the same bytes.
-Result<Done> writePlot(const std::string& path, const PlotKind& kind, std::span<const Curve> curves);
+Result<Done> writePlot(const std::filesystem::path& path, const PlotKind& kind,
+                       std::span<const Curve> curves);
 
 /// Version of the gnuplot that is found, or why there is none.
 Result<std::string> probePlotter();

@@ -4,6 +4,7 @@
 #include "engine/core/diagnostic.h"
 #include "render/image.h"
 
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <utility>
@@ -20,9 +21,9 @@ struct PngOptions {
 /// Writes 8-bit RGB; alpha is left out. Goes to `path`.part first and gets its name when all of it is on
 /// disk; nothing stands under `path` after a failure that did not stand there before. No time stamp: the same
 /// picture gives the same bytes.
-Result<Done> writePng(const std::string& path, const Image& image, const PngOptions& options = {});
+Result<Done> writePng(const std::filesystem::path& path, const Image& image, const PngOptions& options = {});
 
 /// Any PNG, as 8-bit RGBA.
-Result<Image> readPng(const std::string& path);
+Result<Image> readPng(const std::filesystem::path& path);
 
 }  // namespace bedmix

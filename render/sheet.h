@@ -7,6 +7,7 @@
 #include "render/image.h"
 #include "render/layers.h"
 
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -24,7 +25,8 @@ class FramesAt final : public FrameSink {
  private:
   std::vector<double> times_;
   std::vector<FramePtr> frames_;
-  double first_ = 0.0, last_ = -1.0, interval_ = 0.0;
+  std::optional<double> last_;  // time of the newest frame
+  double interval_ = 0.0;       // to the one before it
 };
 
 /// Times of a sheet that shows a run of this length, s: the paper's 0, 0.5, 1, 2, 3, ... as far as the run

@@ -24,6 +24,10 @@ struct Diagnostic {
   SourceLocation at;
   std::string message;
   Trouble trouble = Trouble::input;
+
+  // Written out because g++ 12 warns of uninitialized members when it does this itself.
+  Diagnostic(SourceLocation where, std::string what, Trouble whose = Trouble::input)
+      : at(std::move(where)), message(std::move(what)), trouble(whose) {}
 };
 
 /// "file:line:column: message", the form editors understand.

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: MIT
+#include "render/draw_walls.h"
+
+#include "engine/core/walls.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace bedmix {
+
+namespace {
+
+constexpr float longestArrow = 1.5f;  // em
+
+float wallWidth(float em) { return std::max(2.0f, 0.2f * em); }
+
+/// Segments run from left to right only along the floor: down the left wall, along it, up the right wall.
+bool isFloor(const WallSegment& wall) { return wall.b.x > wall.a.x; }
+
+double heightOn(const WallSegment& floor, double x) {
+  return floor.a.y + (floor.b.y - floor.a.y) * (x - floor.a.x) / (floor.b.x - floor.a.x);
+}
+
+void drawSegment(DrawList& list, const WallSegment& wall, const Camera& camera, float width) {
+  const double top = camera.heightAt(list.clip.top);
+  Vec2f from = camera.toPixel(Vec2{wall.a.x, std::min(wall.a.y, top)});
+  Vec2f to = camera.toPixel(Vec2{wall.b.x, std::min(wall.b.y, top)});
+  const Vec2f along = to - from;
+  const float length = norm(along);
+  if (!(length > 0.0f)) return;
+  // The bed lies to the left of the way; half a line's width to the right leaves the particles their room.
+  const Vec2f outward = Vec2f{-along.y, along.x} * (0.5f * width / length);
+  list.lines.push_back({from + outward, to + outward, width, 0.0f, wallColor});
+}
+
+/// From x = from to x = to (m) of a floor segment: holes in the plate and the gas that comes through them.
+void drawInlet(DrawList& list, const WallSegment& floor, double from, double to, float arrow,
+               const Camera& camera, float em) {
+  const float width = wallWidth(em);
+  const float span = camera.length(to - from);
+  const auto on = [&](double x) {
+    return camera.toPixel(Vec2{x, heightOn(floor, x)}) + Vec2f{0.0f, 0.5f * width};
+  };
+  const int holes = std::max(1, static_cast<int>(span / (2.0f * width)));
+  for (int i = 0; i < holes; ++i) {
+    const double step = (to - from) / holes;
+    const double middle = from + (i + 0.5) * step;
+    list.lines.push_back({on(middle - 0.15 * step), on(middle + 0.15 * step), width, 0.0f, white});
+  }
+  const int arrows = std::max(1, static_cast<int>(span / (1.2f * em)));
+  for (int i = 0; i < arrows; ++i) {
+    const Vec2f tip = on(from + (i + 0.5) * (to - from) / arrows) + Vec2f{0.0f, width};
+    list.lines.push_back(
+        {tip + Vec2f{0.0f, arrow}, tip, std::max(1.0f, 0.1f * em), std::min(0.5f * em, arrow), gasColor});
+  }
+}
+
+}  // namespace
+
+void drawWalls(DrawList& list, const Scene& scene, const Camera& camera, float em) {
+  const std::vector<WallSegment> walls = bedWalls(scene);
+  for (const WallSegment& wall : walls) {
+    if (isFloor(wall) && (wall.a.y > 0.0 || wall.b.y > 0.0)) {
+      const Vec2f a = camera.toPixel(wall.a), b = camera.toPixel(wall.b);
+      const Vec2f below{b.x, camera.origin.y}, belowLeft{a.x, camera.origin.y};
+      list.triangles.push_back({a, b, below, distributorColor});
+      list.triangles.push_back({a, below, belowLeft, distributorColor});
+    }
+    drawSegment(list, wall, camera, wallWidth(em));
+  }
+  if (!scene.gas) return;
+  double fastest = 0.0;
+  for (const Inlet& inlet : scene.gas->inlets) fastest = std::max(fastest, inletVelocity(scene, inlet));
+  for (const Inlet& inlet : scene.gas->inlets) {
+    const double velocity = inletVelocity(scene, inlet);
+    if (!(velocity > 0.0)) continue;
+    const float arrow = longestArrow * em * static_cast<float>(velocity / fastest);
+    for (const WallSegment& wall : walls) {
+      const double from = std::max(inlet.from, wall.a.x), to = std::min(inlet.to, wall.b.x);
+      if (isFloor(wall) && to > from) drawInlet(list, wall, from, to, arrow, camera, em);
+    }
+  }
+}
+
+float inletArrowHeight(const Scene& scene, float em) {
+  return scene.gas ? longestArrow * em + 2.0f * wallWidth(em) : 0.0f;
+}
+
+}  // namespace bedmix

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: MIT
+#include "render/film_sink.h"
+
+#include "render/encoding_thread.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace bedmix {
+
+namespace {
+
+/// Forgives the rounding of n speed/fps, which is to meet the frames' times; s.
+constexpr double rounding = 5e-7;
+
+}  // namespace
+
+struct FilmSink::State {
+  FilmOptions options;
+  std::string file;  // for messages
+  Painter painter;
+  EncodingThread encoder;
+  Frame last;  // seen, and shown until the next one's time
+  bool any = false;
+  bool painted = false;  // `picture` shows `last`
+  Image picture;
+  std::int64_t pictures = 0;
+  std::vector<Diagnostic> problems;
+
+  State(const FilmOptions& o, std::string name, Painter p, Movie movie)
+      : options(o), file(std::move(name)), painter(std::move(p)), encoder(std::move(movie)) {}
+
+  double filmTime() const {
+    return options.from + static_cast<double>(pictures) * options.speed / options.fps;
+  }
+  void show();
+  /// Adds what is shown before `time` (or at it), as far as the film goes.
+  void showUntil(double time);
+};
+
+/// Adds one picture of the last frame.
+void FilmSink::State::show() {
+  if (!painted) {
+    if (Result<Done> done = painter.paint(last, picture); !done) {
+      problems = done.problems;
+      return;
+    }
+    painted = true;
+  }
+  encoder.add(picture);
+  ++pictures;
+}
+
+void FilmSink::State::showUntil(double time) {
+  while (any && problems.empty() && !encoder.failed() && filmTime() <= std::min(time, options.to + rounding))
+    show();
+}
+
+FilmSink::FilmSink(std::unique_ptr<State> state) : state_(std::move(state)) {}
+FilmSink::~FilmSink() = default;
+FilmSink::FilmSink(FilmSink&&) noexcept = default;
+FilmSink& FilmSink::operator=(FilmSink&&) noexcept = default;
+
+Result<FilmSink> FilmSink::create(const Scene& scene, const std::filesystem::path& path,
+                                  const FilmOptions& options) {
+  if (!(options.fps > 0.0 && options.fps <= 1000.0))
+    return Diagnostic{
+        {}, fmt::format("{:g} frames/s make no film; give more than 0 and at most 1000", options.fps)};
+  if (!(options.speed > 0.0))
+    return Diagnostic{
+        {},
+        fmt::format("a speed of {:g} simulated s per s of film never ends; give more than 0", options.speed)};
+  Result<Painter> painter = Painter::create(scene, options.paint);
+  if (!painter) return painter.problems;
+  Result<Movie> movie = Movie::create(path, painter->size(), options.fps);
+  if (!movie) return movie.problems;
+  return FilmSink(std::make_unique<State>(options, path.string(), std::move(*painter), std::move(*movie)));
+}
+
+void FilmSink::accept(const Frame& frame) {
+  State& s = *state_;
+  s.showUntil(frame.time - rounding);
+  s.last = frame;
+  s.any = true;
+  s.painted = false;
+}
+
+Result<Done> FilmSink::finish() {
+  State& s = *state_;
+  s.showUntil(s.last.time + rounding);
+  if (!s.problems.empty()) return s.problems;
+  if (s.pictures == 0)
+    return Diagnostic{{s.file},
+                      fmt::format("no frame lies between {:g} and {:g} s; the last one is at {:g} s",
+                                  s.options.from, s.options.to, s.last.time)};
+  return s.encoder.finish();
+}
+
+std::int64_t FilmSink::pictures() const { return state_->pictures; }
+
+}  // namespace bedmix

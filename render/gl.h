@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "render/gl_context.h"
+
+#include <GL/glcorearb.h>
+
+namespace bedmix {
+
+/// The OpenGL functions the surface uses, taken from its context and never from a libGL.
+#define BEDMIX_GL_FUNCTIONS(X)                        \
+  X(ATTACHSHADER, AttachShader)                       \
+  X(BINDBUFFER, BindBuffer)                           \
+  X(BINDTEXTURE, BindTexture)                         \
+  X(BINDVERTEXARRAY, BindVertexArray)                 \
+  X(BLENDFUNCSEPARATE, BlendFuncSeparate)             \
+  X(BUFFERDATA, BufferData)                           \
+  X(BUFFERSUBDATA, BufferSubData)                     \
+  X(CLEAR, Clear)                                     \
+  X(CLEARCOLOR, ClearColor)                           \
+  X(COMPILESHADER, CompileShader)                     \
+  X(CREATEPROGRAM, CreateProgram)                     \
+  X(CREATESHADER, CreateShader)                       \
+  X(DELETESHADER, DeleteShader)                       \
+  X(DISABLE, Disable)                                 \
+  X(DRAWARRAYS, DrawArrays)                           \
+  X(DRAWARRAYSINSTANCED, DrawArraysInstanced)         \
+  X(DRAWELEMENTSBASEVERTEX, DrawElementsBaseVertex)   \
+  X(ENABLE, Enable)                                   \
+  X(ENABLEVERTEXATTRIBARRAY, EnableVertexAttribArray) \
+  X(FINISH, Finish)                                   \
+  X(GENBUFFERS, GenBuffers)                           \
+  X(GENTEXTURES, GenTextures)                         \
+  X(GENVERTEXARRAYS, GenVertexArrays)                 \
+  X(GETPROGRAMIV, GetProgramiv)                       \
+  X(GETSTRING, GetString)                             \
+  X(GETUNIFORMLOCATION, GetUniformLocation)           \
+  X(LINKPROGRAM, LinkProgram)                         \
+  X(PIXELSTOREI, PixelStorei)                         \
+  X(SCISSOR, Scissor)                                 \
+  X(SHADERSOURCE, ShaderSource)                       \
+  X(TEXIMAGE2D, TexImage2D)                           \
+  X(TEXPARAMETERI, TexParameteri)                     \
+  X(UNIFORM2F, Uniform2f)                             \
+  X(USEPROGRAM, UseProgram)                           \
+  X(VERTEXATTRIBDIVISOR, VertexAttribDivisor)         \
+  X(VERTEXATTRIBPOINTER, VertexAttribPointer)         \
+  X(VIEWPORT, Viewport)
+
+struct Gl {
+#define BEDMIX_GL_DECLARE(TYPE, NAME) PFNGL##TYPE##PROC NAME = nullptr;
+  BEDMIX_GL_FUNCTIONS(BEDMIX_GL_DECLARE)
+#undef BEDMIX_GL_DECLARE
+
+  /// False where the context lacks one of them.
+  bool load(const GlContext& context) {
+    bool all = true;
+#define BEDMIX_GL_LOAD(TYPE, NAME)                                          \
+  NAME = reinterpret_cast<PFNGL##TYPE##PROC>(context.function("gl" #NAME)); \
+  all = all && NAME;
+    BEDMIX_GL_FUNCTIONS(BEDMIX_GL_LOAD)
+#undef BEDMIX_GL_LOAD
+    return all;
+  }
+};
+
+}  // namespace bedmix

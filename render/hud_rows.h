@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "engine/core/frame.h"
+#include "engine/core/scene.h"
+#include "render/draw_list.h"
+#include "render/layout.h"
+
+namespace bedmix {
+
+/// What the HUD says: first the state (time, particles, gas supply, mixing indices now), then the legend of
+/// the layers. Both numbers depend on scene and layers only.
+struct HudRowCount {
+  int state = 0;
+  int legend = 0;
+};
+HudRowCount hudRowCount(const Scene& scene, Layers layers);
+inline constexpr float hudLine = 1.35f;  // em, distance of rows
+
+/// Appends the HUD's rows, the scale bar, and how many particles are above the view if any are.
+void drawHud(DrawList& list, const Scene& scene, const Frame& frame, Layers layers, const Layout& layout);
+
+/// "t = 0.50 s", with the fewest decimals (at least one) that tell the scene's frames apart.
+std::string timeLabel(const Scene& scene, double time);
+
+}  // namespace bedmix

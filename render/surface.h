@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "engine/core/diagnostic.h"
+#include "render/draw_list.h"
+#include "render/image.h"
+#include "render/ui_mesh.h"
+
+#include <memory>
+#include <string>
+
+namespace bedmix {
+
+/// Turns draw lists into pixels. Buffers and shaders live as long as the surface; a picture is drawn straight
+/// into the caller's image. Used by one thread at a time.
+class Surface {
+ public:
+  /// `threads`: see createGlContext.
+  static Result<Surface> create(int threads);
+  ~Surface();
+  Surface(Surface&&) noexcept;
+  Surface& operator=(Surface&&) noexcept;
+
+  void setGlyphs(const GlyphSheet& glyphs);
+
+  /// A picture: begin, any number of draws one over the other, end. `image` has its size and must stay where
+  /// it is until end(). The texts of a draw list are not drawn here but by the HUD.
+  void begin(Image& image, Rgba ground);
+  void draw(const DrawList& list);
+  void draw(const UiMesh& mesh);
+  void end();
+
+  /// Name and version of the rasterizer.
+  std::string description() const;
+
+ private:
+  struct State;
+  explicit Surface(std::unique_ptr<State> state);
+  std::unique_ptr<State> state_;
+};
+
+/// Whether the rasterizer can draw this size; if not, why and what it can.
+std::vector<Diagnostic> sizeProblems(Size size);
+
+}  // namespace bedmix
