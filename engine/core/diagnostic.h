@@ -25,6 +25,7 @@ struct Diagnostic {
   std::string message;
   Trouble trouble = Trouble::input;
 
+  Diagnostic() = default;
   // Written out because g++ 12 warns of uninitialized members when it does this itself.
   Diagnostic(SourceLocation where, std::string what, Trouble whose = Trouble::input)
       : at(std::move(where)), message(std::move(what)), trouble(whose) {}
