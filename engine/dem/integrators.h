@@ -8,9 +8,10 @@
 #include <cstddef>
 #include <vector>
 
-// Each integrator has begin(), called once before the first step, and step(). Positions, velocities and
-// history belong to the same instant after either. Both return false where a neighbour list would have to be
-// built of particles that are no longer at finite places; otherwise whoever calls looks after that.
+// Each integrator has begin(), called once before the first step, of a finite bed, and step(). Positions,
+// velocities and history belong to the same instant after either. step() returns false where a neighbour list
+// would have to be built of particles that are no longer at finite places; otherwise its caller looks for
+// that.
 
 namespace bedmix {
 
@@ -21,7 +22,7 @@ class VelocityVerlet {
  public:
   VelocityVerlet(const Scene& scene, std::size_t particles);
 
-  bool begin(BedState& bed);
+  void begin(BedState& bed);
   bool step(BedState& bed);
 
  private:
@@ -42,7 +43,7 @@ class RungeKutta4 {
  public:
   RungeKutta4(const Scene& scene, std::size_t particles);
 
-  bool begin(BedState& bed);
+  void begin(BedState& bed);
   bool step(BedState& bed);
 
  private:

@@ -102,27 +102,20 @@ std::optional<DemTrouble> settle(const Scene& scene, ParticleSolver& solver) {
 }  // namespace
 
 Result<Particles> packBed(const Scene& scene) {
-  Diagnostic problem;
   const std::optional<Lattice> lattice = layLattice(scene);
-  if (!lattice) {
-    problem.message = fmt::format(
-        "particles.count: {} spheres of {} m do not fit above the floor; take fewer, or a wider "
-        "bed, or with a lid a higher one",
-        scene.particles.count, scene.particles.diameter);
-    return problem;
-  }
+  if (!lattice)
+    return Diagnostic({}, fmt::format("particles.count: {} spheres of {} m do not fit above the floor; take "
+                                      "fewer, or a wider bed, or with a lid a higher one",
+                                      scene.particles.count, scene.particles.diameter));
   Particles start = makeParticles(scene, scatter(scene, *lattice));
   if (scene.start.arrangement == Arrangement::drop || start.size() == 0) return start;
 
   const auto solver = ParticleSolver::make(scene, std::move(start), bedWalls(scene));
-  if (const auto trouble = settle(scene, *solver)) {
-    problem.message = fmt::format(
-        "start: while the bed settled, {} of particle {} became {:.3g} ({}); take a smaller "
-        "time.step or a larger contacts.stiffness",
-        trouble->nonFinite ? "a coordinate" : "overlap over diameter", trouble->particle, trouble->value,
-        trouble->stage);
-    return problem;
-  }
+  if (const auto trouble = settle(scene, *solver))
+    return Diagnostic({}, fmt::format("start: while the bed settled, {} of particle {} became {:.3g} ({}); "
+                                      "take a smaller time.step or a larger contacts.stiffness",
+                                      trouble->nonFinite ? "a coordinate" : "overlap over diameter",
+                                      trouble->particle, trouble->value, trouble->stage));
   std::vector<Vec2> rest;
   for (std::size_t i = 0; i < solver->particles().size(); ++i)
     rest.push_back({solver->particles().x[i], solver->particles().y[i]});

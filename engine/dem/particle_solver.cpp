@@ -31,8 +31,11 @@ class Solver final : public ParticleSolver {
         maxOverlap_(scene.limits.maxOverlap) {}
 
   std::optional<DemTrouble> advance(std::int64_t steps) override {
-    if (!begun_ && !integrator_.begin(bed_)) return findNonFinite(bed_.particles, "start");
-    begun_ = true;
+    if (!begun_) {
+      if (const auto trouble = findNonFinite(bed_.particles, "start")) return trouble;
+      integrator_.begin(bed_);
+      begun_ = true;
+    }
     for (std::int64_t s = 0; s < steps; ++s) {
       if (!integrator_.step(bed_)) break;
       if (largestOverlap() > maxOverlap_)

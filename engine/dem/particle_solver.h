@@ -49,7 +49,7 @@ class ParticleSolver {
   const DemSeconds& seconds() const { return bed_.seconds; }
 
   double kineticEnergy() const;    // J, with rotation
-  double elasticEnergy() const;    // J, normal and tangential springs
+  double elasticEnergy() const;    // J, normal and tangential springs; from the first advance() on
   double potentialEnergy() const;  // J, of gravity, above y = 0
 
   /// Everything the future depends on but the external forces: positions, velocities, spins and tangential

@@ -22,8 +22,8 @@ RungeKutta4<friction>::RungeKutta4(const Scene& scene, std::size_t particles) : 
 }
 
 template <bool friction>
-bool RungeKutta4<friction>::begin(BedState& bed) {
-  return rebuild(bed);
+void RungeKutta4<friction>::begin(BedState& bed) {
+  rebuild(bed);
 }
 
 template <bool friction>

@@ -11,13 +11,12 @@ VelocityVerlet<friction>::VelocityVerlet(const Scene& scene, std::size_t particl
     : contacts_(scene), vx_(particles), vy_(particles), spin_(friction ? particles : 0) {}
 
 template <bool friction>
-bool VelocityVerlet<friction>::begin(BedState& bed) {
-  if (!rebuild(bed)) return false;
+void VelocityVerlet<friction>::begin(BedState& bed) {
+  rebuild(bed);
   vx_ = bed.particles.vx;
   vy_ = bed.particles.vy;
   spin_ = bed.particles.spin;
   evaluate(bed);
-  return true;
 }
 
 template <bool friction>
