@@ -95,7 +95,6 @@ struct TrajectoryWriter::State {
     addParticles();
     addObservables();
     if (grid) addGas();
-    out.flush();
   }
 
   template <class T>
@@ -193,6 +192,12 @@ std::optional<Diagnostic> TrajectoryWriter::write(const Frame& frame) {
   } catch (const Hdf5Error& e) {
     return fileTrouble(state_->path, e.what());
   }
+}
+
+std::string hdf5Version() {
+  unsigned major = 0, minor = 0, release = 0;
+  H5get_libversion(&major, &minor, &release);
+  return "HDF5 " + std::to_string(major) + '.' + std::to_string(minor) + '.' + std::to_string(release);
 }
 
 }  // namespace bedmix

@@ -36,4 +36,7 @@ class TrajectoryWriter final : public FileSink {
   std::unique_ptr<State> state_;
 };
 
+/// The library that trajectories are written with, e.g. "HDF5 1.10.8".
+std::string hdf5Version();
+
 }  // namespace bedmix

@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: MIT
+#include "app/check_report.h"
+
+#include "engine/core/gas_grid.h"
+#include "engine/core/mixing.h"
+#include "engine/simulation.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <numbers>
+#include <optional>
+
+namespace bedmix {
+
+namespace {
+
+class Report {
+ public:
+  explicit Report(const Scene& scene) : scene_(scene) {}
+
+  std::vector<CheckRow> rows() {
+    effects();
+    timeScales();
+    if (scene_.gas) gas(*scene_.gas);
+    sizes();
+    effort();
+    return std::move(rows_);
+  }
+
+ private:
+  void add(std::string name, std::variant<double, std::string> value, std::string unit = "",
+           std::string note = "") {
+    rows_.push_back({section_, std::move(name), std::move(value), std::move(unit), std::move(note)});
+  }
+  void effect(std::string name, bool on, std::string note) {
+    add(std::move(name), on ? "on" : "off", "", std::move(note));
+  }
+
+  void effects() {
+    section_ = "effects";
+    const auto& gas = scene_.gas;
+    effect("gas", gas.has_value(),
+           gas ? fmt::format("{}, {}, drag {}", modelName(gas->scheme), modelName(gas->timeScheme),
+                             modelName(gas->drag))
+               : "no table [gas]");
+    const auto& friction = scene_.contacts.friction;
+    effect("friction", friction.has_value(),
+           friction ? fmt::format("coefficient {:g}; particles rotate", friction->coefficient)
+                    : "no table [contacts.friction]; no rotation either");
+    effect("inclined distributor", scene_.floor.inclinationDeg > 0.0,
+           scene_.floor.inclinationDeg > 0.0
+               ? fmt::format("{:g} deg, {} for particles", scene_.floor.inclinationDeg,
+                             modelName(scene_.floor.shape))
+               : "floor.inclination_deg is 0");
+    effect("lid", scene_.bed.top == BedTop::lid,
+           scene_.bed.top == BedTop::lid ? "can hold the bed up for good"
+                                         : "particles may rise above the bed's height");
+    effect("flux window", scene_.flux.has_value(),
+           scene_.flux ? fmt::format("at x = {:g} m", scene_.flux->x) : "no table [flux]");
+  }
+
+  void timeScales() {
+    section_ = "time scales";
+    const double scale = contactTimeScale(scene_), step = scene_.time.step;
+    const double mass = particleMass(scene_), k = scene_.contacts.stiffness;
+    const double damping = pairDamping(scene_) / (2.0 * std::sqrt(0.5 * mass * k));
+    add("contact time scale T", scale, "s", "2 pi sqrt(m/k)");
+    if (damping < 1.0) {
+      const double contact =
+          std::numbers::pi * std::sqrt(0.5 * mass / k) / std::sqrt(1.0 - damping * damping);
+      add("duration of a contact", contact, "s",
+          fmt::format("two particles, head-on; {:.3g} steps", contact / step));
+    } else {
+      add("duration of a contact", "none", "", "overdamped: particles do not rebound");
+    }
+    add("particle step", step, "s", fmt::format("T/{:.4g}; allowed from T/14 on", scale / step));
+  }
+
+  void gas(const GasSettings& settings) {
+    const GasGrid grid = makeGasGrid(scene_);
+    double fastest = 0.0, smallest = lowestCellHeight(grid);
+    for (const Inlet& inlet : settings.inlets) fastest = std::max(fastest, inletVelocity(scene_, inlet));
+    const double umf = minimumFluidizationVelocity(scene_);
+    add("gas step", settings.step, "s", fmt::format("{} particle steps", stepsPerGasStep(scene_)));
+    add("drag relaxation", umf / scene_.gravity, "s", "u_mf/g, of a particle in the packed bed");
+    if (fastest > 0.0) {
+      const double courant = fastest * settings.step / smallest;
+      add("gas Courant number", courant, "",
+          courant > 1.0 ? "above 1 at the fastest inlet: lower gas.step"
+                        : "at the fastest inlet; stable below 1");
+    }
+    section_ = "gas";
+    add("u_mf", umf, "m/s", settings.minimumFluidizationVelocity ? "given" : "Wen & Yu (1966)");
+    for (std::size_t i = 0; i < settings.inlets.size(); ++i) {
+      const Inlet& inlet = settings.inlets[i];
+      const double u = inletVelocity(scene_, inlet);
+      add(fmt::format("inlet {}", i), u, "m/s",
+          fmt::format("{:.3g} u_mf from x = {:g} to {:g} m", u / umf, inlet.from, inlet.to));
+    }
+    const auto blocked =
+        std::count_if(grid.lowestRow.begin(), grid.lowestRow.end(), [](int r) { return r > 0; });
+    add("grid", fmt::format("{} x {}", grid.columns, grid.rows), "cells",
+        blocked > 0 ? fmt::format("{} columns partly blocked by the distributor", blocked) : "none blocked");
+  }
+
+  static double lowestCellHeight(const GasGrid& grid) {
+    double smallest = grid.y[1] - grid.y[0];
+    for (int r = 1; r < grid.rows; ++r) smallest = std::min(smallest, grid.dy(r));
+    return smallest;
+  }
+
+  void sizes() {
+    section_ = "sizes";
+    const double particles = static_cast<double>(scene_.particles.count);
+    const double cells = scene_.gas ? static_cast<double>(makeGasGrid(scene_).cells()) : 0.0;
+    const double frameBytes = particles * (scene_.contacts.friction ? 20.0 : 16.0) + cells * 16.0;
+    const double frames =
+        std::floor(static_cast<double>(totalSteps(scene_)) / static_cast<double>(stepsPerFrame(scene_))) +
+        1.0;
+    add("particles", particles);
+    add("frames", frames, "",
+        fmt::format("one every {:g} s, {:.3g} kB each", scene_.sampling.interval, frameBytes / 1e3));
+    add("trajectory", frames * frameBytes / 1e6, "MB", "before compression");
+    // What a particle and a gas cell cost the solver, and the frames that wait to be written.
+    add("memory", (particles * 600.0 + cells * 2000.0 + 18.0 * frameBytes) / 1e6, "MB",
+        "of the solver, estimated");
+  }
+
+  /// Runs the scene from a loose start for a moment and extrapolates.
+  void effort() {
+    section_ = "effort";
+    Scene loose = scene_;
+    loose.start.arrangement = Arrangement::drop;
+    Result<Simulation> simulation = Simulation::make(loose);
+    if (!simulation) return add("run time", "unknown", "", toString(simulation.problems.front()));
+    const auto start = std::chrono::steady_clock::now();
+    const auto elapsed = [&] {
+      return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    };
+    const std::int64_t batch = std::max<std::int64_t>(100, scene_.gas ? stepsPerGasStep(scene_) : 0);
+    std::optional<std::string> trouble;
+    do trouble = simulation->advance(batch);
+    while (!trouble && elapsed() < 0.3);
+    if (trouble) return add("run time", "unknown", "", *trouble);
+    const double perStep = elapsed() / static_cast<double>(simulation->step());
+    add("steps", static_cast<double>(totalSteps(scene_)));
+    add("run time", perStep * static_cast<double>(totalSteps(scene_)), "s",
+        fmt::format("measured here over {} steps from a loose start{}", simulation->step(),
+                    scene_.start.arrangement == Arrangement::settled ? "; settling comes on top" : ""));
+  }
+
+  const Scene& scene_;
+  std::string section_;
+  std::vector<CheckRow> rows_;
+};
+
+}  // namespace
+
+std::vector<CheckRow> checkReport(const Scene& scene) { return Report(scene).rows(); }
+
+}  // namespace bedmix

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: MIT
+#include "app/commands.h"
+#include "app/scene_library.h"
+#include "app/version.h"
+#include "render/movie.h"
+#include "render/painter.h"
+#include "render/plot.h"
+#include "replay/trajectory_writer.h"
+
+#include <CLI/CLI.hpp>
+#include <fmt/core.h>
+#include <nlohmann/json.hpp>
+
+#include <memory>
+
+namespace bedmix {
+
+namespace {
+
+struct Check {
+  const char* part;
+  Result<std::string> finding;
+  const char* cure;
+};
+
+Result<std::string> probeScenes() {
+  const auto scenes = bundledScenes();
+  if (scenes.empty()) return Diagnostic{{}, "none found"};
+  return fmt::format("{} in {}", scenes.size(), scenes.front().parent_path().string());
+}
+
+ExitCode doctor(bool json, const Console& console) {
+  const Check checks[]{
+      {"pictures", probeSurface(), "apt install libosmesa6 fonts-dejavu-core"},
+      {"films", probeEncoder(), "apt install libavcodec59 libx264-164"},
+      {"curves", probePlotter(), "apt install gnuplot-nox"},
+      {"recording", hdf5Version(), "apt install libhdf5-103-1"},
+      {"scenes", probeScenes(), "cmake --install the program, or run it from its build folder"},
+  };
+  auto table = nlohmann::ordered_json::array();
+  ExitCode outcome = ExitCode::done;
+  for (const Check& check : checks) {
+    const bool works = static_cast<bool>(check.finding);
+    const std::string text = works ? *check.finding : check.finding.problems.front().message;
+    if (!works) outcome = ExitCode::unavailable;
+    if (json)
+      table.push_back(
+          {{"part", check.part}, {"works", works}, {"finding", text}, {"cure", works ? "" : check.cure}});
+    else
+      console.print(fmt::format("{:<4} {:<10} {}{}", works ? "ok" : "FAIL", check.part, text,
+                                works ? "" : fmt::format("\n     cure: {}", check.cure)));
+  }
+  if (json) console.print(table.dump(2));
+  return outcome;
+}
+
+}  // namespace
+
+void addDoctorCommand(CLI::App& program, CommandContext context) {
+  CLI::App* command =
+      program.add_subcommand("doctor", "Say what of drawing, filming and recording works here");
+  auto json = std::make_shared<bool>(false);
+  command->add_flag("--json", *json, "Print as JSON");
+  command->footer("Example:\n  bedmix doctor");
+  command->callback([json, context] { context.outcome = doctor(*json, context.console); });
+}
+
+}  // namespace bedmix

@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: MIT
+#include "app/commands.h"
+#include "app/frame_selection.h"
+#include "app/run_folder.h"
+#include "engine/core/bed_statistics.h"
+#include "engine/core/near_miss.h"
+#include "replay/series_log.h"
+#include "replay/trajectory_reader.h"
+
+#include <CLI/CLI.hpp>
+#include <fmt/core.h>
+#include <nlohmann/json.hpp>
+
+#include <charconv>
+#include <memory>
+#include <optional>
+
+namespace fs = std::filesystem;
+
+namespace bedmix {
+
+namespace {
+
+struct ReplayOptions {
+  std::string run;
+  std::string folder;
+  std::string sampling;  // "CxR"
+  std::optional<int> minParticles;
+  std::string tracer;
+  FrameSelection frames;
+  bool json = false;
+};
+
+Result<SamplingGrid> samplingOf(const ReplayOptions& options, const Scene& scene) {
+  SamplingGrid grid = samplingGrid(scene);
+  if (options.minParticles) grid.minParticles = *options.minParticles;
+  if (options.sampling.empty()) return grid;
+  const char* at = options.sampling.data();
+  const char* const end = at + options.sampling.size();
+  const auto columns = std::from_chars(at, end, grid.columns);
+  const bool crossed = columns.ec == std::errc{} && columns.ptr != end && *columns.ptr == 'x';
+  const auto rows = std::from_chars(crossed ? columns.ptr + 1 : end, end, grid.rows);
+  const auto isCount = [](int n) { return n >= 1 && n <= 10000; };
+  if (!crossed || rows.ec != std::errc{} || rows.ptr != end || !isCount(grid.columns) || !isCount(grid.rows))
+    return Diagnostic{
+        {"--sampling"},
+        fmt::format("\"{}\" is not columns x rows, e.g. 4x15, each from 1 to 10000", options.sampling)};
+  return grid;
+}
+
+Result<TracerRule> tracerOf(const std::string& name) {
+  if (const auto rule = findModel<TracerRule>(name)) return *rule;
+  std::vector<std::string> names;
+  std::string table;
+  for (const ModelInfo& m : modelTable<TracerRule>) {
+    names.emplace_back(m.name);
+    table += fmt::format("\n    {:<12}{}", m.name, m.formula);
+  }
+  return Diagnostic{
+      {"--tracer"},
+      fmt::format("there is no rule \"{}\"{} It is one of{}", name, didYouMean(name, names), table)};
+}
+
+ExitCode replay(const ReplayOptions& options, const Console& console) {
+  auto reader = TrajectoryReader::open(options.run);
+  if (!reader) return console.fail(reader.problems);
+  const Scene& scene = reader->scene();
+
+  const auto grid = samplingOf(options, scene);
+  if (!grid) return console.fail(grid.problems);
+  std::vector<std::uint8_t> tracer;
+  if (!options.tracer.empty()) {
+    const auto rule = tracerOf(options.tracer);
+    if (!rule) return console.fail(rule.problems);
+    const auto first = reader->frame(0);
+    if (!first) return console.fail(first.problems);
+    tracer = tagTracer(*rule, (*first)->position, scene.bed.width);
+  }
+  const auto selected = selectFrames(reader->times(), options.frames);
+  if (!selected) return console.fail(selected.problems);
+
+  const auto folder = makeReplayFolder(options.folder.empty() ? runFolderOf(options.run) / "replay"
+                                                              : fs::path(options.folder));
+  if (!folder) return console.fail(folder.problems);
+  auto mixing = MixingLog::create(folder->mixing(), *grid);
+  if (!mixing) return console.fail(mixing.problems);
+  std::vector<FileSink*> sinks{&*mixing.value};
+  std::optional<FluxLog> flux;
+  std::optional<PressureLog> pressure;
+  if (scene.flux) {
+    auto log = FluxLog::create(folder->flux(), scene);
+    if (!log) return console.fail(log.problems);
+    sinks.push_back(&flux.emplace(std::move(*log)));
+  }
+  if (scene.gas) {
+    auto log = PressureLog::create(folder->pressure(), scene);
+    if (!log) return console.fail(log.problems);
+    sinks.push_back(&pressure.emplace(std::move(*log)));
+  }
+
+  for (const std::size_t index : *selected) {
+    const auto frame = reader->frame(index);
+    if (!frame) return console.fail(frame.problems);
+    Frame retagged;
+    if (!tracer.empty()) {
+      retagged = **frame;
+      retagged.species = tracer;
+    }
+    for (FileSink* sink : sinks) {
+      sink->accept(tracer.empty() ? **frame : retagged);
+      if (sink->failure()) return console.fail(*sink->failure());
+    }
+  }
+
+  console.say(fmt::format("{} frames re-derived into {}", selected->size(), folder->path.string()));
+  if (options.json) {
+    const nlohmann::ordered_json result = {{"folder", folder->path.string()},
+                                           {"scene", scene.name},
+                                           {"frames", selected->size()},
+                                           {"from", reader->times()[selected->front()]},
+                                           {"to", reader->times()[selected->back()]}};
+    console.print(result.dump(2));
+  }
+  return ExitCode::done;
+}
+
+}  // namespace
+
+void addReplayCommand(CLI::App& program, CommandContext context) {
+  CLI::App* command = program.add_subcommand("replay", "Re-derive all indices from a recorded run");
+  auto options = std::make_shared<ReplayOptions>();
+  command->add_option("run", options->run, "Folder of a run, or its trajectory.h5")
+      ->required()
+      ->type_name("RUN");
+  command->add_option("-o,--output", options->folder, "Folder of the series; RUN/replay by default")
+      ->type_name("DIR");
+  command->add_option("--sampling", options->sampling, "Sampling cells, in place of the scene's")
+      ->type_name("CxR");
+  command->add_option("--min-particles", options->minParticles, "Cells with fewer particles are not used")
+      ->type_name("N")
+      ->check(CLI::Range(1, 100000000));
+  command
+      ->add_option("--tracer", options->tracer,
+                   "Tag the particles anew: left-half, right-half, lower-half, upper-half")
+      ->type_name("RULE");
+  addFrameSelection(*command, options->frames);
+  command->add_flag("--json", options->json, "Print what was done as JSON");
+  command->footer("Example:\n  bedmix replay out/even -o out/even-8x30 --sampling 8x30 --min-particles 6");
+  command->callback([options, context] { context.outcome = replay(*options, context.console); });
+}
+
+}  // namespace bedmix

@@ -1,0 +1,218 @@
+// SPDX-License-Identifier: MIT
+#include "app/commands.h"
+#include "app/interrupt.h"
+#include "app/progress.h"
+#include "app/run_folder.h"
+#include "app/scene_library.h"
+#include "app/version.h"
+#include "engine/worker.h"
+#include "render/film_sink.h"
+#include "replay/series_log.h"
+#include "replay/summary.h"
+#include "replay/trajectory_writer.h"
+
+#include <CLI/CLI.hpp>
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <memory>
+#include <optional>
+#include <thread>
+
+namespace bedmix {
+
+namespace {
+
+struct RunOptions {
+  std::string scene;
+  std::string folder;
+  std::optional<std::string> until, seed;  // as TOML
+  std::vector<std::string> settings;       // path=value
+  int threads = 1;
+  bool video = false, force = false, json = false;
+};
+
+/// All that is recorded of a run, open for writing.
+struct Recording {
+  std::vector<std::unique_ptr<FileSink>> files;
+  std::optional<FilmSink> film;
+
+  std::optional<Diagnostic> failure() const {
+    for (const auto& file : files)
+      if (file->failure()) return file->failure();
+    return std::nullopt;
+  }
+};
+
+Result<std::vector<Override>> overridesOf(const RunOptions& options) {
+  std::vector<Override> overrides;
+  for (const std::string& setting : options.settings) {
+    const std::size_t equals = setting.find('=');
+    if (equals == std::string::npos || equals == 0)
+      return Diagnostic{{"--set " + setting}, "must be path=value, e.g. --set gas.step=5e-5"};
+    overrides.push_back({setting.substr(0, equals), setting.substr(equals + 1)});
+  }
+  if (options.until) overrides.push_back({"time.duration", *options.until});
+  if (options.seed) overrides.push_back({"seed", *options.seed});
+  return overrides;
+}
+
+template <class Sink>
+void keep(Recording& recording, Result<Sink> sink, std::vector<Diagnostic>& problems) {
+  if (sink)
+    recording.files.push_back(std::make_unique<Sink>(std::move(*sink)));
+  else
+    problems.insert(problems.end(), sink.problems.begin(), sink.problems.end());
+}
+
+Result<Recording> openRecording(const RunFolder& folder, const Scene& scene) {
+  Recording recording;
+  std::vector<Diagnostic> problems;
+  keep(recording, TrajectoryWriter::create(folder.trajectory(), scene, {programVersion, programCommit}),
+       problems);
+  keep(recording, MixingLog::create(folder.mixing(), samplingGrid(scene)), problems);
+  if (scene.flux) keep(recording, FluxLog::create(folder.flux(), scene), problems);
+  if (scene.gas) keep(recording, PressureLog::create(folder.pressure(), scene), problems);
+  if (!problems.empty()) return problems;
+  return recording;
+}
+
+/// The cores the solver leaves over, at least one.
+int paintThreads(int solverThreads) {
+  return std::max(1, static_cast<int>(std::thread::hardware_concurrency()) - solverThreads);
+}
+
+/// Drains the solver into the recording until it ends, a stop is asked for or a file cannot be written.
+void follow(Worker& worker, Recording& recording, Progress& progress) {
+  while (const FramePtr frame = worker.next()) {
+    for (const auto& file : recording.files) file->accept(*frame);
+    if (recording.film) recording.film->accept(*frame);
+    progress.accept(*frame);
+    if (stopRequested() || recording.failure()) worker.requestStop();
+  }
+}
+
+RunSummary summarize(const Scene& scene, const RunEnd& end, int threads) {
+  RunSummary s;
+  s.scene = scene.name;
+  s.seed = scene.seed;
+  s.version = programVersion;
+  s.commit = programCommit;
+  s.simulatedSeconds = end.simulatedSeconds;
+  s.wallSeconds = end.wallSeconds;
+  s.steps = end.steps;
+  s.gasSteps = end.gasSteps;
+  if (end.wallSeconds > 0.0)
+    s.particleStepsPerSecond =
+        static_cast<double>(end.steps) * static_cast<double>(scene.particles.count) / end.wallSeconds;
+  for (std::size_t i = 0; i < end.stages.size(); ++i) s.stages.emplace_back(stageNames[i], end.stages[i]);
+  s.threads = threads;
+  s.stateHash = end.stateHash;
+  s.endReason = end.reason == EndReason::finished  ? "finished"
+                : end.reason == EndReason::stopped ? "stopped"
+                                                   : "invalid";
+  return s;
+}
+
+/// What a user should know of a run that ended well enough.
+void reportSteps(const Console& console, const Scene& scene, const StepReport& report) {
+  if (report.largestOverlap > scene.limits.warnOverlap)
+    console.warn(
+        fmt::format("the largest overlap was {:.2g} of a diameter (particle {}); raise contacts.stiffness",
+                    report.largestOverlap, report.largestOverlapParticle));
+  if (report.gasStepsNotConverged > 0)
+    console.warn(
+        fmt::format("{} gas steps ended at the iteration limit; lower gas.step or raise gas.max_iterations",
+                    report.gasStepsNotConverged));
+}
+
+ExitCode run(const RunOptions& options, const Console& console) {
+  const auto overrides = overridesOf(options);
+  if (!overrides) return console.fail(overrides.problems);
+  const auto scene = loadScene(options.scene, *overrides);
+  if (!scene) return console.fail(scene.problems);
+  const auto folder =
+      makeRunFolder(options.folder.empty() ? "out/" + scene->name : options.folder, options.force);
+  if (!folder) return console.fail(folder.problems);
+  auto recording = openRecording(*folder, *scene);
+  if (!recording) return console.fail(recording.problems);
+
+  ExitCode outcome = ExitCode::done;
+  if (options.video) {
+    FilmOptions film;
+    film.paint.threads = paintThreads(options.threads);
+    auto sink = FilmSink::create(*scene, folder->video(), film);
+    if (sink) {
+      recording->film.emplace(std::move(*sink));
+    } else {
+      outcome = console.fail(sink.problems);
+      console.warn("the run goes on without its film");
+    }
+  }
+
+  catchInterrupts();
+  console.say(
+      fmt::format("{} into {}", scene->title.empty() ? scene->name : scene->title, folder->path.string()));
+  if (scene->start.arrangement == Arrangement::settled) console.say("settling the bed ...");
+  Worker worker(*scene, options.threads);
+  {
+    Progress progress(console, scene->time.duration);
+    follow(worker, *recording, progress);
+  }
+
+  if (recording->film)
+    if (const auto finished = recording->film->finish(); !finished) outcome = console.fail(finished.problems);
+  const RunEnd& end = worker.end();
+  const RunSummary summary = summarize(*scene, end, options.threads);
+  auto fileFailure = recording->failure();
+  if (const auto failure = writeSummary(folder->summary(), summary, *scene); failure && !fileFailure)
+    fileFailure = failure;
+  if (fileFailure) return console.fail(*fileFailure);
+  reportSteps(console, *scene, end.report);
+  if (options.json) {
+    const auto text = readTextFile(folder->summary());
+    if (!text) return console.fail(text.problems);
+    console.print(*text);
+  }
+  if (end.reason == EndReason::invalid) {
+    console.fail(options.scene, end.message);
+    return ExitCode::invalidSolution;
+  }
+  console.say(fmt::format("{} {:g} simulated s in {} ({:.3g} particle steps/s), {}",
+                          end.reason == EndReason::stopped ? "stopped after" : "done:", end.simulatedSeconds,
+                          clockText(end.wallSeconds), summary.particleStepsPerSecond, folder->path.string()));
+  return end.reason == EndReason::stopped ? ExitCode::stopped : outcome;
+}
+
+}  // namespace
+
+void addRunCommand(CLI::App& program, CommandContext context) {
+  CLI::App* command = program.add_subcommand("run", "Simulate a scene and record the run in a folder");
+  auto options = std::make_shared<RunOptions>();
+  command->add_option("scene", options->scene, "Scene file, or the name of a bundled scene")
+      ->required()
+      ->type_name("SCENE");
+  command->add_option("-o,--output", options->folder, "Folder of the run; out/<scene> by default")
+      ->type_name("DIR");
+  command->add_option("--until", options->until, "Simulated seconds, in place of time.duration")
+      ->type_name("T");
+  command->add_option("--seed", options->seed, "Seed of the random start, in place of the scene's")
+      ->type_name("N");
+  command->add_option("--threads", options->threads, "Threads of the solver; they never change a result")
+      ->type_name("N")
+      ->check(CLI::Range(1, 256))
+      ->capture_default_str();
+  command
+      ->add_option("--set", options->settings,
+                   "Change a key of the scene, e.g. gas.step=5e-5; an empty value removes it. Keys: bedmix "
+                   "check --help")
+      ->type_name("PATH=VALUE")
+      ->allow_extra_args(false);
+  command->add_flag("--video", options->video, "Film the run into video.mp4 on the way");
+  command->add_flag("--force", options->force, "Replace an earlier run in the folder; other files are kept");
+  command->add_flag("--json", options->json, "Print summary.json at the end");
+  command->footer("Example:\n  bedmix run tian-2007-even -o out/even --video --set particles.count=1180");
+  command->callback([options, context] { context.outcome = run(*options, context.console); });
+}
+
+}  // namespace bedmix

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "app/version.h"
+#include "engine/core/frame.h"
+#include "engine/core/scene.h"
+#include "render/png.h"
+
+#include <fmt/core.h>
+
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace bedmix {
+
+/// Where a picture comes from, for its tEXt: no clock, so the same picture gives the same bytes.
+inline std::vector<std::pair<std::string, std::string>> pngText(const Scene& scene) {
+  return {{"Title", scene.title},
+          {"Software", fmt::format("bedmix {} ({})", programVersion, programCommit)},
+          {"Source", fmt::format("scene {}, seed {}", scene.name, scene.seed)}};
+}
+inline std::vector<std::pair<std::string, std::string>> pngText(const Scene& scene, const Frame& frame) {
+  auto text = pngText(scene);
+  text.emplace_back("Description", fmt::format("step {}, {} s", frame.step, frame.time));
+  return text;
+}
+
+}  // namespace bedmix

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+#include "app/progress.h"
+
+#include <fmt/core.h>
+
+#include <cmath>
+#include <cstdio>
+
+namespace bedmix {
+
+namespace {
+
+constexpr int barWidth = 28;
+constexpr std::chrono::milliseconds refresh{100};
+
+}  // namespace
+
+std::string clockText(double seconds) {
+  const auto whole = static_cast<long long>(std::ceil(seconds));
+  const auto h = whole / 3600, m = whole / 60 % 60, s = whole % 60;
+  return h > 0 ? fmt::format("{}:{:02}:{:02}", h, m, s) : fmt::format("{}:{:02}", m, s);
+}
+
+Progress::Progress(const Console& console, double duration) : console_(console), duration_(duration) {}
+
+Progress::~Progress() {
+  if (lineOpen_) std::fputc('\n', stderr);
+}
+
+void Progress::accept(const Frame& frame) {
+  if (console_.quiet) return;
+  const auto now = Clock::now();
+  if (firstTime_ < 0.0) {
+    firstTime_ = frame.time;
+    start_ = now;
+  }
+  const bool atEnd = frame.time >= duration_ * (1.0 - 1e-9);
+  if (console_.isTerminal() ? now - shown_ < refresh && !atEnd : frame.time < nextLine_ && !atEnd) return;
+  shown_ = now;
+  nextLine_ = frame.time + 0.1 * duration_;
+
+  const double wall = std::chrono::duration<double>(now - start_).count();
+  const double speed = wall > 0.0 ? (frame.time - firstTime_) / wall : 0.0;
+  const double part = duration_ > 0.0 ? std::min(1.0, frame.time / duration_) : 1.0;
+  std::string text = fmt::format("{:8.3f} s of {:g} s", frame.time, duration_);
+  if (speed > 0.0)
+    text +=
+        fmt::format(", {:.3g} simulated s/s, {} left", speed, clockText((duration_ - frame.time) / speed));
+  if (!console_.isTerminal()) return console_.say(text);
+  const auto filled = static_cast<int>(part * barWidth);
+  fmt::print(stderr, "\r\033[K[{:#<{}}{:.<{}}] {}", "", filled, "", barWidth - filled, text);
+  std::fflush(stderr);
+  lineOpen_ = true;
+}
+
+}  // namespace bedmix

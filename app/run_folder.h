@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "engine/core/diagnostic.h"
+
+#include <filesystem>
+
+namespace bedmix {
+
+/// The files of a run, by their fixed names.
+struct RunFolder {
+  std::filesystem::path path;
+
+  std::filesystem::path trajectory() const { return path / "trajectory.h5"; }
+  std::filesystem::path mixing() const { return path / "mixing.csv"; }
+  std::filesystem::path flux() const { return path / "flux.csv"; }
+  std::filesystem::path pressure() const { return path / "pressure.csv"; }
+  std::filesystem::path summary() const { return path / "summary.json"; }
+  std::filesystem::path video() const { return path / "video.mp4"; }
+};
+
+/// Makes the folder of a new run. One that holds anything is refused, unless `force`: then the files of an
+/// earlier run are removed from it and all others are left alone.
+Result<RunFolder> makeRunFolder(const std::filesystem::path& path, bool force);
+
+/// Makes a folder for what is derived from a run. One that holds a trajectory is refused: its series belong
+/// to that run.
+Result<RunFolder> makeReplayFolder(const std::filesystem::path& path);
+
+/// The folder a run is in, given that folder or its trajectory.
+std::filesystem::path runFolderOf(const std::filesystem::path& run);
+
+}  // namespace bedmix

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: MIT
+#include "app/scene_library.h"
+
+#include "engine/core/near_miss.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <fstream>
+#include <sstream>
+
+namespace fs = std::filesystem;
+
+namespace bedmix {
+
+namespace {
+
+fs::path sceneFolder() {
+  std::error_code none;
+  const fs::path program = fs::read_symlink("/proc/self/exe", none);
+  const fs::path installed = program.parent_path().parent_path() / "share/bedmix/scenes";
+  return fs::is_directory(installed, none) ? installed : fs::path(BEDMIX_SOURCE_SCENES);
+}
+
+}  // namespace
+
+std::vector<fs::path> bundledScenes() {
+  std::vector<fs::path> scenes;
+  std::error_code none;
+  for (const auto& entry : fs::directory_iterator(sceneFolder(), none))
+    if (entry.path().extension() == ".toml") scenes.push_back(entry.path());
+  std::sort(scenes.begin(), scenes.end());
+  return scenes;
+}
+
+Result<std::string> readTextFile(const fs::path& path) {
+  std::error_code none;
+  if (fs::is_directory(path, none)) return Diagnostic{{path.string()}, "is a folder", Trouble::file};
+  errno = 0;
+  std::ifstream file(path, std::ios::binary);
+  std::ostringstream text;
+  text << file.rdbuf();
+  if (!file)
+    return Diagnostic{
+        {path.string()}, fmt::format("cannot be read: {}", std::strerror(errno)), Trouble::file};
+  return text.str();
+}
+
+Result<fs::path> findScene(const std::string& scene) {
+  std::error_code none;
+  const fs::path asPath(scene);
+  if (fs::exists(asPath, none) && !fs::is_directory(asPath, none)) return asPath;
+  const bool isName = !scene.empty() && !asPath.has_parent_path() && asPath.extension() != ".toml";
+  std::vector<std::string> names;
+  for (const fs::path& bundled : bundledScenes()) {
+    names.push_back(bundled.stem().string());
+    if (isName && names.back() == scene) return bundled;
+  }
+  return Diagnostic{{scene},
+                    isName ? fmt::format("there is no such file and no bundled scene of this name{}; bundled "
+                                         "are {}",
+                                         didYouMean(scene, names), fmt::join(names, ", "))
+                           : "there is no such scene file"};
+}
+
+Result<Scene> loadScene(const std::string& scene, const std::vector<Override>& overrides) {
+  const Result<fs::path> path = findScene(scene);
+  if (!path) return path.problems;
+  const Result<std::string> text = readTextFile(*path);
+  if (!text) return text.problems;
+  return readScene(*text, path->string(), overrides);
+}
+
+}  // namespace bedmix
