@@ -33,6 +33,17 @@ void addArrow(DrawList& list, Vec2f tail, Vec2f velocity, float pxPerSpeed, floa
   list.lines.push_back({tail, tail + shift, width, std::min(0.6f * length, 4.0f * width), color});
 }
 
+/// Puts a white rim around the last arrow, so that it shows on any ground. 2.7 rims beyond its tip are one
+/// rim beside the head's slanting edges.
+void addRim(DrawList& list) {
+  const Line arrow = list.lines.back();
+  const Vec2f along = (arrow.to - arrow.from) * (1.0f / norm(arrow.to - arrow.from));
+  const float rim = std::max(0.75f, 0.4f * arrow.width);
+  list.lines.back() = {arrow.from, arrow.to + along * (2.7f * rim), arrow.width + 2.0f * rim,
+                       arrow.head + 3.7f * rim, white};
+  list.lines.push_back(arrow);
+}
+
 void drawField(DrawList& list, const Scene& scene, const std::vector<float>& field, const Camera& camera,
                ColorRange range) {
   const GasGrid grid = makeGasGrid(scene);
@@ -46,12 +57,14 @@ void drawField(DrawList& list, const Scene& scene, const std::vector<float>& fie
     }
 }
 
-void drawParticles(DrawList& list, const Scene& scene, const Frame& frame, const Camera& camera) {
+/// Over a coloured field the discs get a white rim inside their edge: black would be lost on its dark end.
+void drawParticles(DrawList& list, const Scene& scene, const Frame& frame, const Camera& camera, bool rim) {
   const float radius = camera.length(0.5 * scene.particles.diameter);
   for (std::size_t i = 0; i < frame.size(); ++i) {
     const Vec2f at = camera.toPixel(frame.position[i]);
     if (outside(list.clip, at, radius)) continue;
-    list.discs.push_back({at, radius, frame.species[i] == 1 ? tracerColor : restColor});
+    if (rim) list.discs.push_back({at, radius, white});
+    list.discs.push_back({at, rim ? 0.8f * radius : radius, frame.species[i] == 1 ? tracerColor : restColor});
   }
 }
 
@@ -90,7 +103,9 @@ void drawGas(DrawList& list, const Scene& scene, const Frame& frame, const Camer
       const Vec2 centre{grid.x[column] + 0.5 * grid.dx(column), grid.y[row] + 0.5 * grid.dy(row)};
       const Vec2f velocity = frame.gas.velocity[grid.cell(column, row)];
       const Vec2f tail = camera.toPixel(centre) - Vec2f{velocity.x, -velocity.y} * (0.5f * pxPerSpeed);
+      const std::size_t before = list.lines.size();
       addArrow(list, tail, velocity, pxPerSpeed, width, gasColor);
+      if (list.lines.size() > before) addRim(list);
     }
 }
 
@@ -109,7 +124,8 @@ void drawBed(DrawList& list, const Scene& scene, const Frame& frame, const Camer
     drawField(list, scene, frame.gas.voidage, camera, colorRange(scene, Layer::voidage));
   if (layers.has(Layer::pressure))
     drawField(list, scene, frame.gas.pressure, camera, colorRange(scene, Layer::pressure));
-  if (layers.has(Layer::particles)) drawParticles(list, scene, frame, camera);
+  if (layers.has(Layer::particles))
+    drawParticles(list, scene, frame, camera, layers.has(Layer::voidage) || layers.has(Layer::pressure));
   if (layers.has(Layer::sampling)) drawSampling(list, scene, camera, em);
   if (layers.has(Layer::walls)) drawWalls(list, scene, camera, em);
   if (layers.has(Layer::velocity)) drawVelocity(list, scene, frame, camera);
@@ -143,7 +159,7 @@ ArrowScale arrowScale(const Scene& scene, Layer layer) {
     metres = grid.dx(0);
   }
   if (!(speed > 0.0)) speed = 1.0;
-  return {metres / speed, roundDown(speed)};
+  return {metres / speed, roundDown(1.2 * speed)};
 }
 
 double roundDown(double value) {

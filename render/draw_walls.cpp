@@ -23,14 +23,23 @@ double heightOn(const WallSegment& floor, double x) {
 
 void drawSegment(DrawList& list, const WallSegment& wall, const Camera& camera, float width) {
   const double top = camera.heightAt(list.clip.top);
-  Vec2f from = camera.toPixel(Vec2{wall.a.x, std::min(wall.a.y, top)});
-  Vec2f to = camera.toPixel(Vec2{wall.b.x, std::min(wall.b.y, top)});
+  const Vec2f from = camera.toPixel(Vec2{wall.a.x, std::min(wall.a.y, top)});
+  const Vec2f to = camera.toPixel(Vec2{wall.b.x, std::min(wall.b.y, top)});
   const Vec2f along = to - from;
   const float length = norm(along);
   if (!(length > 0.0f)) return;
   // The bed lies to the left of the way; half a line's width to the right leaves the particles their room.
   const Vec2f outward = Vec2f{-along.y, along.x} * (0.5f * width / length);
   list.lines.push_back({from + outward, to + outward, width, 0.0f, wallColor});
+}
+
+/// What is below a raised floor.
+void drawSolid(DrawList& list, const WallSegment& floor, const Camera& camera) {
+  const Vec2f a = camera.toPixel(floor.a), b = camera.toPixel(floor.b);
+  if (a.y == camera.origin.y && b.y == camera.origin.y) return;
+  const Vec2f belowA{a.x, camera.origin.y}, belowB{b.x, camera.origin.y};
+  list.triangles.push_back({a, b, belowB, distributorColor});
+  list.triangles.push_back({a, belowB, belowA, distributorColor});
 }
 
 /// From x = from to x = to (m) of a floor segment: holes in the plate and the gas that comes through them.
@@ -43,9 +52,8 @@ void drawInlet(DrawList& list, const WallSegment& floor, double from, double to,
   };
   const int holes = std::max(1, static_cast<int>(span / (2.0f * width)));
   for (int i = 0; i < holes; ++i) {
-    const double step = (to - from) / holes;
-    const double middle = from + (i + 0.5) * step;
-    list.lines.push_back({on(middle - 0.15 * step), on(middle + 0.15 * step), width, 0.0f, white});
+    const Vec2f hole = on(from + (i + 0.5) * (to - from) / holes);
+    list.lines.push_back({hole, hole, 0.6f * width, 0.0f, white});
   }
   const int arrows = std::max(1, static_cast<int>(span / (1.2f * em)));
   for (int i = 0; i < arrows; ++i) {
@@ -60,14 +68,12 @@ void drawInlet(DrawList& list, const WallSegment& floor, double from, double to,
 void drawWalls(DrawList& list, const Scene& scene, const Camera& camera, float em) {
   const std::vector<WallSegment> walls = bedWalls(scene);
   for (const WallSegment& wall : walls) {
-    if (isFloor(wall) && (wall.a.y > 0.0 || wall.b.y > 0.0)) {
-      const Vec2f a = camera.toPixel(wall.a), b = camera.toPixel(wall.b);
-      const Vec2f below{b.x, camera.origin.y}, belowLeft{a.x, camera.origin.y};
-      list.triangles.push_back({a, b, below, distributorColor});
-      list.triangles.push_back({a, below, belowLeft, distributorColor});
-    }
+    if (isFloor(wall)) drawSolid(list, wall, camera);
     drawSegment(list, wall, camera, wallWidth(em));
   }
+  const double corner = floorHeight(scene, scene.bed.width);
+  if (corner > 0.0)  // the right wall goes on beside the solid
+    drawSegment(list, {{scene.bed.width, 0.0}, {scene.bed.width, corner}}, camera, wallWidth(em));
   if (!scene.gas) return;
   double fastest = 0.0;
   for (const Inlet& inlet : scene.gas->inlets) fastest = std::max(fastest, inletVelocity(scene, inlet));

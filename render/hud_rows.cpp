@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 
@@ -72,7 +73,7 @@ double supply(const Scene& scene) {
 }
 
 void drawState(Column column, const Scene& scene, const Frame& frame) {
-  column.text(timeLabel(scene, frame.time));
+  column.text(timeLabel(frame.time, timeDecimals(std::array{scene.sampling.interval})));
   column.text(fmt::format("{} particles", frame.size()));
   if (scene.gas)
     column.text(fmt::format("u = {:.1f} u_mf", supply(scene) / minimumFluidizationVelocity(scene)));
@@ -123,14 +124,16 @@ void drawHud(DrawList& list, const Scene& scene, const Frame& frame, Layers laye
   }
 }
 
-std::string timeLabel(const Scene& scene, double time) {
+std::string timeLabel(double time, int decimals) { return fmt::format("t = {:.{}f} s", time, decimals); }
+
+int timeDecimals(std::span<const double> times) {
   int decimals = 1;
-  double scaled = 10.0 * scene.sampling.interval;
-  while (decimals < 6 && std::abs(scaled - std::round(scaled)) > 1e-6) {
-    ++decimals;
-    scaled *= 10.0;
-  }
-  return fmt::format("t = {:.{}f} s", time, decimals);
+  double unit = 10.0;
+  const auto whole = [&](double time) {
+    return std::abs(unit * time - std::round(unit * time)) < 1e-6 * unit;
+  };
+  for (; decimals < 6 && !std::all_of(times.begin(), times.end(), whole); ++decimals) unit *= 10.0;
+  return decimals;
 }
 
 }  // namespace bedmix

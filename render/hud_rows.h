@@ -6,6 +6,8 @@
 #include "render/draw_list.h"
 #include "render/layout.h"
 
+#include <span>
+
 namespace bedmix {
 
 /// What the HUD says: first the state (time, particles, gas supply, mixing indices now), then the legend of
@@ -20,7 +22,9 @@ inline constexpr float hudLine = 1.35f;  // em, distance of rows
 /// Appends the HUD's rows, the scale bar, and how many particles are above the view if any are.
 void drawHud(DrawList& list, const Scene& scene, const Frame& frame, Layers layers, const Layout& layout);
 
-/// "t = 0.50 s", with the fewest decimals (at least one) that tell the scene's frames apart.
-std::string timeLabel(const Scene& scene, double time);
+/// "t = 0.50 s" with this many decimals.
+std::string timeLabel(double time, int decimals);
+/// Fewest decimals, at least one, that write each of the times in full.
+int timeDecimals(std::span<const double> times);
 
 }  // namespace bedmix

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <fstream>
 #include <iterator>
 
 namespace bedmix {
@@ -80,6 +81,21 @@ std::string script(const std::string& output, std::string_view terminal, const P
   return text;
 }
 
+/// Blanks the day of creation, the one thing in a PDF of cairo's that would differ the next time. The file
+/// keeps its length, and with it the places its table of contents gives.
+bool removeDate(const std::filesystem::path& pdf) {
+  std::fstream file(pdf, std::ios::in | std::ios::out | std::ios::binary);
+  const std::string text{std::istreambuf_iterator<char>(file), {}};
+  constexpr std::string_view key = "/CreationDate (D:", never = "20000101000000";
+  const std::size_t at = text.find(key);
+  if (at == std::string::npos) return true;
+  file.clear();
+  file.seekp(static_cast<std::streamoff>(at + key.size()));
+  file.write(never.data(), never.size());
+  file.close();
+  return !file.fail();
+}
+
 Diagnostic noGnuplot(const std::string& why) {
   return {{}, "no curves can be drawn: " + why + "; install gnuplot-nox", Trouble::unavailable};
 }
@@ -117,6 +133,8 @@ Result<Done> writePlot(const std::filesystem::path& path, const PlotKind& kind,
   std::error_code error;
   if (end->status != 0 || std::filesystem::file_size(part.path(), error) == 0 || error)
     return part.failure("gnuplot says: " + end->output);
+  if (path.extension() == ".pdf" && !removeDate(part.path()))
+    return part.failure("its date cannot be removed");
   return part.keep();
 }
 

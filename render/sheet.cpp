@@ -114,6 +114,10 @@ Result<Image> drawSheet(const Scene& scene, std::span<const FramePtr> frames, La
   Hud hud(em);
   surface->setGlyphs(hud.glyphs());
 
+  std::vector<double> times;
+  for (const FramePtr& frame : frames) times.push_back(frame->time);
+  const int decimals = timeDecimals(times);
+
   Image sheet;
   sheet.resize(grid.size);
   surface->begin(sheet, white);
@@ -133,7 +137,7 @@ Result<Image> drawSheet(const Scene& scene, std::span<const FramePtr> frames, La
     texts.push_back({{corner.x + 0.5f * width, panel.clip.top - 0.25f * em},
                      {0.5f, 1.0f},
                      ink,
-                     timeLabel(scene, frames[i]->time)});
+                     timeLabel(frames[i]->time, decimals)});
   }
   DrawList bar;
   bar.clip = {0.0f, 0.0f, static_cast<float>(grid.size.width), static_cast<float>(grid.size.height)};
