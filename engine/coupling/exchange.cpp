@@ -26,15 +26,18 @@ Exchange::FaceWeights Exchange::weightsAt(double x, double y) const {
     return std::array{a.share * b.share, (1.0 - a.share) * b.share, a.share * (1.0 - b.share),
                       (1.0 - a.share) * (1.0 - b.share)};
   };
+  const GridAxis::Interpolation across = columns_.interpolate(x), up = rows_.interpolate(y);
   FaceWeights w;
-  const GridAxis::Pair ux = columns_.betweenFaces(x), uy = rows_.betweenCentres(y);
-  w.u = {layout.uFace(ux.first, uy.first), layout.uFace(ux.second, uy.first),
-         layout.uFace(ux.first, uy.second), layout.uFace(ux.second, uy.second)};
-  w.uWeight = corners(ux, uy);
-  const GridAxis::Pair vx = columns_.betweenCentres(x), vy = rows_.betweenFaces(y);
-  w.v = {layout.vFace(vx.first, vy.first), layout.vFace(vx.second, vy.first),
-         layout.vFace(vx.first, vy.second), layout.vFace(vx.second, vy.second)};
-  w.vWeight = corners(vx, vy);
+  w.u = {layout.uFace(across.faces.first, up.centres.first),
+         layout.uFace(across.faces.second, up.centres.first),
+         layout.uFace(across.faces.first, up.centres.second),
+         layout.uFace(across.faces.second, up.centres.second)};
+  w.uWeight = corners(across.faces, up.centres);
+  w.v = {layout.vFace(across.centres.first, up.faces.first),
+         layout.vFace(across.centres.second, up.faces.first),
+         layout.vFace(across.centres.first, up.faces.second),
+         layout.vFace(across.centres.second, up.faces.second)};
+  w.vWeight = corners(across.centres, up.faces);
   for (std::int32_t& f : w.u) f = layout.openFace[f];
   for (std::int32_t& f : w.v) f = layout.openFace[f];
   return w;

@@ -11,7 +11,10 @@ GridAxis::GridAxis(const std::vector<double>& faces) : faces_(faces) {
   for (std::size_t i = 0; i + 1 < faces.size(); ++i) {
     smallest = std::min(smallest, faces[i + 1] - faces[i]);
     centres_.push_back(0.5 * (faces[i] + faces[i + 1]));
+    perSize_.push_back(1.0 / (faces[i + 1] - faces[i]));
   }
+  for (std::size_t i = 0; i + 1 < centres_.size(); ++i)
+    perSpacing_.push_back(1.0 / (centres_[i + 1] - centres_[i]));
   const auto bins = static_cast<int>(std::ceil(faces.back() / smallest));
   binsPerLength_ = bins / faces.back();
   int cell = 0;
@@ -37,18 +40,18 @@ GridAxis::Pair GridAxis::overlap(double at, double radius) const {
   return {cell, cell + 1, std::min(1.0, (faces_[cell + 1] - low) / (2.0 * radius))};
 }
 
-GridAxis::Pair GridAxis::betweenFaces(double at) const {
+GridAxis::Interpolation GridAxis::interpolate(double at) const {
   const int cell = cellAt(at);
-  const double share = (faces_[cell + 1] - at) / (faces_[cell + 1] - faces_[cell]);
-  return {cell, cell + 1, std::clamp(share, 0.0, 1.0)};
-}
-
-GridAxis::Pair GridAxis::betweenCentres(double at) const {
-  const int cell = cellAt(at);
+  Interpolation between;
+  between.faces = {cell, cell + 1, std::clamp((faces_[cell + 1] - at) * perSize_[cell], 0.0, 1.0)};
   const int first = at < centres_[cell] ? cell - 1 : cell;
-  if (first < 0) return {0, 0, 1.0};
-  if (first + 1 == static_cast<int>(centres_.size())) return {first, first, 1.0};
-  return {first, first + 1, (centres_[first + 1] - at) / (centres_[first + 1] - centres_[first])};
+  if (first < 0)
+    between.centres = {0, 0, 1.0};
+  else if (first + 1 == static_cast<int>(centres_.size()))
+    between.centres = {first, first, 1.0};
+  else
+    between.centres = {first, first + 1, (centres_[first + 1] - at) * perSpacing_[first]};
+  return between;
 }
 
 }  // namespace bedmix

@@ -23,13 +23,18 @@ class GridAxis {
   /// The cells under [at - radius, at + radius], by overlap. No cell may be smaller than 2 radius; what lies
   /// outside the grid counts to the outermost cell.
   Pair overlap(double at, double radius) const;
-  /// Linear interpolation between faces, and between cell centres (constant beyond the outermost centres).
-  Pair betweenFaces(double at) const;
-  Pair betweenCentres(double at) const;
+  /// Linear interpolation at one place: between the faces around it, and between the cell centres around it
+  /// (constant beyond the outermost centres).
+  struct Interpolation {
+    Pair faces, centres;
+  };
+  Interpolation interpolate(double at) const;
 
  private:
   std::vector<double> faces_;
   std::vector<double> centres_;
+  std::vector<double> perSize_;     // 1 / size of each cell
+  std::vector<double> perSpacing_;  // 1 / distance of each centre to the next
   std::vector<int> cellOfBin_;
   double binsPerLength_ = 1.0;
 };
