@@ -3,7 +3,8 @@
 #include "app/frame_selection.h"
 #include "app/run_folder.h"
 #include "engine/core/bed_statistics.h"
-#include "engine/core/near_miss.h"
+#include "engine/core/scene_keys.h"
+#include "engine/core/scene_reader.h"
 #include "replay/series_log.h"
 #include "replay/trajectory_reader.h"
 
@@ -11,7 +12,6 @@
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>
 
-#include <charconv>
 #include <memory>
 #include <optional>
 
@@ -24,57 +24,41 @@ namespace {
 struct ReplayOptions {
   std::string run;
   std::string folder;
-  std::string sampling;  // "CxR"
-  std::optional<int> minParticles;
+  std::string sampling;      // "CxR"
+  std::string minParticles;  // as TOML
   std::string tracer;
   FrameSelection frames;
   bool json = false;
 };
 
-Result<SamplingGrid> samplingOf(const ReplayOptions& options, const Scene& scene) {
-  SamplingGrid grid = samplingGrid(scene);
-  if (options.minParticles) grid.minParticles = *options.minParticles;
-  if (options.sampling.empty()) return grid;
-  const char* at = options.sampling.data();
-  const char* const end = at + options.sampling.size();
-  const auto columns = std::from_chars(at, end, grid.columns);
-  const bool crossed = columns.ec == std::errc{} && columns.ptr != end && *columns.ptr == 'x';
-  const auto rows = std::from_chars(crossed ? columns.ptr + 1 : end, end, grid.rows);
-  const auto isCount = [](int n) { return n >= 1 && n <= 10000; };
-  if (!crossed || rows.ec != std::errc{} || rows.ptr != end || !isCount(grid.columns) || !isCount(grid.rows))
-    return Diagnostic{
-        {"--sampling"},
-        fmt::format("\"{}\" is not columns x rows, e.g. 4x15, each from 1 to 10000", options.sampling)};
-  return grid;
-}
-
-Result<TracerRule> tracerOf(const std::string& name) {
-  if (const auto rule = findModel<TracerRule>(name)) return *rule;
-  std::vector<std::string> names;
-  std::string table;
-  for (const ModelInfo& m : modelTable<TracerRule>) {
-    names.emplace_back(m.name);
-    table += fmt::format("\n    {:<12}{}", m.name, m.formula);
+/// The scene of the run with what the options change in it.
+Result<Scene> sceneFor(const ReplayOptions& options, const Scene& recorded) {
+  std::vector<Override> overrides;
+  if (!options.sampling.empty()) {
+    const std::size_t cross = options.sampling.find('x');
+    if (cross == std::string::npos || cross == 0 || cross + 1 == options.sampling.size())
+      return Diagnostic{{"--sampling"},
+                        fmt::format("\"{}\" is not columns x rows, e.g. 4x15", options.sampling)};
+    overrides.push_back({"sampling.columns", options.sampling.substr(0, cross), "--sampling"});
+    overrides.push_back({"sampling.rows", options.sampling.substr(cross + 1), "--sampling"});
   }
-  return Diagnostic{
-      {"--tracer"},
-      fmt::format("there is no rule \"{}\"{} It is one of{}", name, didYouMean(name, names), table)};
+  if (!options.minParticles.empty())
+    overrides.push_back({"sampling.min_particles", options.minParticles, "--min-particles"});
+  if (!options.tracer.empty()) overrides.push_back({"tracer.rule", tomlString(options.tracer), "--tracer"});
+  return readScene(writeScene(recorded), recorded.name, overrides);
 }
 
 ExitCode replay(const ReplayOptions& options, const Console& console) {
   auto reader = TrajectoryReader::open(options.run);
   if (!reader) return console.fail(reader.problems);
-  const Scene& scene = reader->scene();
-
-  const auto grid = samplingOf(options, scene);
-  if (!grid) return console.fail(grid.problems);
+  const auto changed = sceneFor(options, reader->scene());
+  if (!changed) return console.fail(changed.problems);
+  const Scene& scene = *changed;
   std::vector<std::uint8_t> tracer;
   if (!options.tracer.empty()) {
-    const auto rule = tracerOf(options.tracer);
-    if (!rule) return console.fail(rule.problems);
     const auto first = reader->frame(0);
     if (!first) return console.fail(first.problems);
-    tracer = tagTracer(*rule, (*first)->position, scene.bed.width);
+    tracer = tagTracer(scene.tracer.rule, (*first)->position, scene.bed.width);
   }
   const auto selected = selectFrames(reader->times(), options.frames);
   if (!selected) return console.fail(selected.problems);
@@ -82,7 +66,7 @@ ExitCode replay(const ReplayOptions& options, const Console& console) {
   const auto folder = makeReplayFolder(options.folder.empty() ? runFolderOf(options.run) / "replay"
                                                               : fs::path(options.folder));
   if (!folder) return console.fail(folder.problems);
-  auto mixing = MixingLog::create(folder->mixing(), *grid);
+  auto mixing = MixingLog::create(folder->mixing(), samplingGrid(scene));
   if (!mixing) return console.fail(mixing.problems);
   std::vector<FileSink*> sinks{&*mixing.value};
   std::optional<FluxLog> flux;
@@ -137,8 +121,7 @@ void addReplayCommand(CLI::App& program, CommandContext context) {
   command->add_option("--sampling", options->sampling, "Sampling cells, in place of the scene's")
       ->type_name("CxR");
   command->add_option("--min-particles", options->minParticles, "Cells with fewer particles are not used")
-      ->type_name("N")
-      ->check(CLI::Range(1, 100000000));
+      ->type_name("N");
   command
       ->add_option("--tracer", options->tracer,
                    "Tag the particles anew: left-half, right-half, lower-half, upper-half")

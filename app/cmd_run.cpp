@@ -52,8 +52,8 @@ Result<std::vector<Override>> overridesOf(const RunOptions& options) {
       return Diagnostic{{"--set " + setting}, "must be path=value, e.g. --set gas.step=5e-5"};
     overrides.push_back({setting.substr(0, equals), setting.substr(equals + 1)});
   }
-  if (options.until) overrides.push_back({"time.duration", *options.until});
-  if (options.seed) overrides.push_back({"seed", *options.seed});
+  if (options.until) overrides.push_back({"time.duration", *options.until, "--until"});
+  if (options.seed) overrides.push_back({"seed", *options.seed, "--seed"});
   return overrides;
 }
 
@@ -178,9 +178,9 @@ ExitCode run(const RunOptions& options, const Console& console) {
     console.fail(options.scene, end.message);
     return ExitCode::invalidSolution;
   }
-  console.say(fmt::format("{} {:g} simulated s in {} ({:.3g} particle steps/s), {}",
+  console.say(fmt::format("{} {:g} simulated s in {:.3g} s ({:.3g} particle steps/s), {}",
                           end.reason == EndReason::stopped ? "stopped after" : "done:", end.simulatedSeconds,
-                          clockText(end.wallSeconds), summary.particleStepsPerSecond, folder->path.string()));
+                          end.wallSeconds, summary.particleStepsPerSecond, folder->path.string()));
   return end.reason == EndReason::stopped ? ExitCode::stopped : outcome;
 }
 

@@ -24,13 +24,14 @@ std::string usageProblem(const CLI::App& program, const CLI::ParseError& error, 
     if (argc > 1 && known->get_name() == argv[1]) command = known;
   }
   if (argc > 1 && !command && argv[1][0] != '-')
-    return fmt::format("there is no command \"{}\"{}; see bedmix --help", argv[1],
+    return fmt::format("there is no command \"{}\" (see bedmix --help){}", argv[1],
                        didYouMean(argv[1], names));
   return fmt::format("{}; see bedmix {}--help", error.what(), command ? command->get_name() + " " : "");
 }
 
 int run(int argc, char** argv) {
-  std::signal(SIGPIPE, SIG_IGN);  // a reader of stdout that leaves must not end a simulation
+  std::signal(SIGPIPE, SIG_IGN);  // a reader of stdout that leaves must not end a simulation,
+  std::signal(SIGXFSZ, SIG_IGN);  // and a file that may not grow is a failed write like any other
 
   Console console;
   ExitCode outcome = ExitCode::done;

@@ -58,11 +58,10 @@ Result<fs::path> findScene(const std::string& scene) {
     names.push_back(bundled.stem().string());
     if (isName && names.back() == scene) return bundled;
   }
+  if (!isName) return Diagnostic{{scene}, "there is no such scene file"};
   return Diagnostic{{scene},
-                    isName ? fmt::format("there is no such file and no bundled scene of this name{}; bundled "
-                                         "are {}",
-                                         didYouMean(scene, names), fmt::join(names, ", "))
-                           : "there is no such scene file"};
+                    fmt::format("there is no such file and no bundled scene of this name ({}){}",
+                                fmt::join(names, ", "), didYouMean(scene, names))};
 }
 
 Result<Scene> loadScene(const std::string& scene, const std::vector<Override>& overrides) {

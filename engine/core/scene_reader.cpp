@@ -91,9 +91,10 @@ class TableReader {
     return "; known here: " + names;
   }
 
-  void wrongType(const toml::node& node, const std::string& path, std::string_view wanted) {
+  void wrongType(const toml::node& node, const std::string& path, std::string_view wanted,
+                 std::string_view table = "") {
     problems_.add(path, node.source(),
-                  fmt::format("{} must be {}, not {}", path, wanted, describeValue(node)));
+                  fmt::format("{} must be {}, not {}{}", path, wanted, describeValue(node), table));
   }
 
   void checkRange(const Key& key, const toml::node& node, const std::string& path, double value) {
@@ -134,7 +135,7 @@ class TableReader {
   requires std::is_enum_v<T>
   void read(const Key&, const toml::node& node, const std::string& path, T& value) {
     const auto* text = node.as_string();
-    if (!text) return wrongType(node, path, "one of the names below" + table<T>());
+    if (!text) return wrongType(node, path, "a name in quotes", "\n  it is one of" + table<T>());
     if (const auto model = findModel<T>(text->get())) {
       value = *model;
       return;
@@ -142,7 +143,7 @@ class TableReader {
     std::vector<std::string> names;
     for (const ModelInfo& m : modelTable<T>) names.emplace_back(m.name);
     problems_.add(path, node.source(),
-                  fmt::format("{} has no \"{}\"{} It is one of{}", path, text->get(),
+                  fmt::format("{} has no \"{}\"{}\n  it is one of{}", path, text->get(),
                               didYouMean(text->get(), names), table<T>()));
   }
 

@@ -16,12 +16,13 @@ namespace bedmix {
 struct Override {
   std::string path;
   std::string value;
+  std::string origin = {};  // what messages call it; "--set path" where empty
 };
 
 /// Reads a scene from TOML text. Strict: syntax, unknown keys (with the key that was probably meant), wrong
 /// types, values out of range, contradictions between keys; all of them at once, each with file:line:column.
 /// `file` is the name messages use; overrides are applied before anything is checked and are located as
-/// "--set path".
+/// "--set path" (or their origin).
 Result<Scene> readScene(std::string_view toml, const std::string& file,
                         const std::vector<Override>& overrides = {});
 

@@ -11,6 +11,10 @@ namespace bedmix {
 
 namespace {
 
+SourceLocation placeOf(const Override& override) {
+  return {override.origin.empty() ? "--set " + override.path : override.origin};
+}
+
 bool isAtOrBelow(std::string_view path, std::string_view ancestor) {
   return path.starts_with(ancestor) && (path.size() == ancestor.size() || path[ancestor.size()] == '.');
 }
@@ -55,7 +59,7 @@ void Problems::add(const std::string& path, const toml::source_region& at, std::
 
 void Problems::add(const Override& override, std::string message) {
   spoiled_.insert(override.path);
-  list_.push_back({{"--set " + override.path}, std::move(message)});
+  list_.push_back({placeOf(override), std::move(message)});
 }
 
 void Problems::spoil(std::string path) { spoiled_.insert(std::move(path)); }
@@ -77,7 +81,7 @@ SourceLocation Problems::locate(std::string_view path, const toml::source_region
   const std::string_view table = path.substr(0, path.rfind('.'));
   for (const Override& o : overrides_) {
     const bool openedTable = !at.begin && isAtOrBelow(o.path, table);
-    if (isAtOrBelow(path, o.path) || openedTable) return {"--set " + o.path};
+    if (isAtOrBelow(path, o.path) || openedTable) return placeOf(o);
   }
   return {file_, static_cast<int>(at.begin.line), static_cast<int>(at.begin.column)};
 }
