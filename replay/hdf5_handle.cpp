@@ -27,7 +27,6 @@ std::string lastReason() {
 }  // namespace
 
 void quietHdf5() {
-  H5dont_atexit();
   H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);  // of this thread
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "replay/hdf5_output.h"
 
+#include "replay/commit_driver.h"
+
 #include <algorithm>
 #include <functional>
 #include <numeric>
@@ -30,6 +32,7 @@ H5 createFile(const std::filesystem::path& path) {
   // The earliest format is the one that opens again after its writer was killed.
   H5 access(H5Pcreate(H5P_FILE_ACCESS), "set up the file");
   H5Pset_libver_bounds(access, H5F_LIBVER_EARLIEST, H5F_LIBVER_V18);
+  useCommitDriver(access);
   return {H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access), "make the file"};
 }
 
