@@ -76,6 +76,7 @@ void ContactForces<friction>::addPairs(const Motion& at, const NeighbourList& li
   const Candidate* __restrict pairs = list.pairs().data();
   double* __restrict fx = loads.fx.data();
   double* __restrict fy = loads.fy.data();
+  [[maybe_unused]] double* __restrict torque = loads.torque.data();
   ContactBatch& b = batch_;
   for (std::size_t done = 0; done < to.pairCount; done += ContactBatch::capacity) {
     const std::size_t count = std::min(ContactBatch::capacity, to.pairCount - done);
@@ -109,8 +110,8 @@ void ContactForces<friction>::addPairs(const Motion& at, const NeighbourList& li
       fx[j] -= b.fx[c];
       fy[j] -= b.fy[c];
       if constexpr (friction) {
-        loads.torque[i] += radius_ * b.tangential[c];
-        loads.torque[j] += radius_ * b.tangential[c];
+        torque[i] += radius_ * b.tangential[c];
+        torque[j] += radius_ * b.tangential[c];
         to.spring[contact[c]] = b.spring[c];
         to.slip[contact[c]] = b.slip[c];
       }
@@ -171,9 +172,11 @@ void ContactForces<friction>::addWalls(const Motion& at, const NeighbourList& li
 template <bool friction>
 void ContactForces<friction>::applyLaw(const SpringDashpot& law, double halfStep, std::size_t count) {
   ContactBatch& b = batch_;
+  [[maybe_unused]] const double perStiffness = friction ? 1.0 / law.tangentialStiffness : 0.0;
   for (std::size_t c = 0; c < count; ++c) {
     const double distance = std::sqrt(b.dx[c] * b.dx[c] + b.dy[c] * b.dy[c]);
-    const double nx = b.dx[c] / distance, ny = b.dy[c] / distance;
+    const double perDistance = 1.0 / distance;
+    const double nx = b.dx[c] * perDistance, ny = b.dy[c] * perDistance;
     const double parting = b.dvx[c] * nx + b.dvy[c] * ny;
     const double push = law.stiffness * (law.reach - distance) - law.damping * parting;
     b.fx[c] = -push * nx;
@@ -188,7 +191,7 @@ void ContactForces<friction>::applyLaw(const SpringDashpot& law, double halfStep
       b.fx[c] -= force * ny;
       b.fy[c] += force * nx;
       b.tangential[c] = force;
-      b.spring[c] = spring + (stick - force) / law.tangentialStiffness;  // unchanged where it sticks
+      b.spring[c] = spring + (stick - force) * perStiffness;  // unchanged where it sticks
       b.slip[c] = slip;
     }
   }

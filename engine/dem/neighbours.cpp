@@ -90,17 +90,21 @@ void NeighbourList::findPairs(const std::vector<double>& x, const std::vector<do
     const std::int32_t row = cellOf_[i] / grid.columns, column = cellOf_[i] % grid.columns;
     const std::int32_t fromColumn = std::max(column - 1, 0);
     const std::int32_t toColumn = std::min(column + 1, grid.columns - 1);
-    const auto firstOfI = static_cast<std::ptrdiff_t>(pairs_.size());
+    const std::size_t firstOfI = pairs_.size();
     for (std::int32_t r = std::max(row - 1, 0); r <= std::min(row + 1, grid.rows - 1); ++r) {
       const std::int32_t begin = cellStart_[r * grid.columns + fromColumn];
       const std::int32_t end = cellStart_[r * grid.columns + toColumn + 1];
       for (std::int32_t s = begin; s < end; ++s) {
         const std::int32_t j = sorted_[s];
         const double dx = x[j] - x[i], dy = y[j] - y[i];
-        if (j > i && dx * dx + dy * dy < reach2) pairs_.push_back({i, j});
+        if (!(j > i && dx * dx + dy * dy < reach2)) continue;
+        // By insertion, as there are two or three.
+        std::size_t place = pairs_.size();
+        pairs_.push_back({i, j});
+        for (; place > firstOfI && pairs_[place - 1].second > j; --place) pairs_[place] = pairs_[place - 1];
+        pairs_[place] = {i, j};
       }
     }
-    std::sort(pairs_.begin() + firstOfI, pairs_.end());
   }
 }
 
