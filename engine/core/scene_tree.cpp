@@ -78,11 +78,11 @@ std::vector<Diagnostic> Problems::inFileOrder() {
 }
 
 SourceLocation Problems::locate(std::string_view path, const toml::source_region& at) const {
+  for (const Override& o : overrides_)
+    if (isAtOrBelow(path, o.path)) return placeOf(o);
   const std::string_view table = path.substr(0, path.rfind('.'));
-  for (const Override& o : overrides_) {
-    const bool openedTable = !at.begin && isAtOrBelow(o.path, table);
-    if (isAtOrBelow(path, o.path) || openedTable) return placeOf(o);
-  }
+  for (const Override& o : overrides_)  // of a table that only an override has opened
+    if (!at.begin && isAtOrBelow(o.path, table)) return placeOf(o);
   return {file_, static_cast<int>(at.begin.line), static_cast<int>(at.begin.column)};
 }
 

@@ -177,6 +177,9 @@ TEST(SceneReader, OverridesAreNamedInMessages) {
   expectOnly(problemsOf(validScene, {{"gas.inlets.7.from", "0.0"}}), "--set gas.inlets.7.from", "\"7\"");
   expectOnly(problemsOf(validScene, {{"bed.width.x", "1"}}), "--set bed.width.x", "\"width\"");
   expectOnly(problemsOf(validScene, {{"bed..x", "1"}}), "--set bed..x", "dots between them");
+  expectOnly(problemsOf(validScene, {{"gas.density", "1.2"}, {"gas.step", "fast"}}), "--set gas.step",
+             "fast");
+  expectOnly(problemsOf(validScene, {{"time.duration", "x", "--until"}}), "--until", "time.duration");
   expectOnly(problemsOf(withLine(26, ""), {{"flux.x", "0.001"}}), "--set flux.x", "leaves the bed");
 }
 
