@@ -123,7 +123,7 @@ Result<Done> Movie::State::openEncoder(double fps) {
 Result<Done> Movie::State::openFile() {
   const std::string name = part.path().string();
   avformat_alloc_output_context2(&file, nullptr, "mp4", name.c_str());
-  file->flags |= AVFMT_FLAG_BITEXACT;
+  file->flags |= AVFMT_FLAG_BITEXACT | AVFMT_FLAG_FLUSH_PACKETS;  // a closed fragment survives a kill
   AVStream* stream = avformat_new_stream(file, nullptr);
   avcodec_parameters_from_context(stream->codecpar, encoder);
   stream->time_base = encoder->time_base;
