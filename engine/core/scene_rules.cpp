@@ -119,6 +119,14 @@ class Rules {
     if (std::abs(sum - length) > rounding * length)
       add(path, {ofPath},
           fmt::format("the cells add up to {:.9g} m, but {} is {:.9g} m", sum, ofPath, length));
+    const double d = scene_.particles.diameter;
+    for (const GridSpan& s : spans)
+      if (scene_.particles.count > 0 && s.size < d)
+        add(path, {"particles.diameter"},
+            fmt::format(
+                "cells of {} m are smaller than a particle ({} m); volume-averaged gas needs cells of at "
+                "least a diameter, better three",
+                s.size, d));
   }
 
   void inlet(const GasSettings& gas, std::size_t index) {

@@ -86,6 +86,8 @@ INSTANTIATE_TEST_SUITE_P(
         Spoiled{"GasStepBelow", [](Scene& s) { s.gas->step = 1e-6; }, "gas.step", "the nearest is 1e-05 s"},
         Spoiled{"Columns", [](Scene& s) { s.gas->grid.columns[0].count = 5; }, "gas.grid.columns",
                 "add up to 0.06 m, but bed.width is 0.048 m"},
+        Spoiled{"CellsSmallerThanParticles", [](Scene& s) { s.gas->grid.columns = {{16, 0.003}}; },
+                "gas.grid.columns", "smaller than a particle (0.004 m)"},
         Spoiled{"Rows", [](Scene& s) { s.gas->grid.rows[0].size = 0.011; }, "gas.grid.rows", "0.11 m"},
         Spoiled{"EmptyInlet", [](Scene& s) { s.gas->inlets[0].from = 0.024; }, "gas.inlets.0.to", "right of"},
         Spoiled{"OutsideInlet", [](Scene& s) { s.gas->inlets[1].to = 0.05; }, "gas.inlets.1.to", "outside"},

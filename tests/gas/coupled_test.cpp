@@ -43,6 +43,19 @@ TEST(Coupled, TerminalVelocityOfOneSphere) {
   EXPECT_NEAR(slip / exact, 1.0, 0.005);
 }
 
+TEST(Coupled, NoneOneOrTwoParticles) {
+  for (std::int64_t count : {0, 1, 2}) {
+    Scene scene = test::paperScene(2.6);
+    scene.particles.count = count;
+    Simulation simulation = test::simulate(scene);
+    ASSERT_EQ(simulation.advance(2000), std::nullopt);
+    const FramePtr frame = simulation.frame();
+    EXPECT_EQ(frame->size(), static_cast<std::size_t>(count));
+    for (float v : frame->gas.voidage) EXPECT_GT(v, 0.9f);
+    EXPECT_LT(simulation.report().largestMassResidual, 1e-10);
+  }
+}
+
 TEST(Coupled, MinimumFluidizationOnASlowRamp) {
   Scene scene = test::paperScene(0.8);
   scene.bed.width = 0.048;
