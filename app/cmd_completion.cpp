@@ -57,6 +57,7 @@ std::string bash(const CLI::App& program) {
   return fmt::format(R"(# bash completion of bedmix; source <(bedmix completion bash)
 _bedmix() {{
   local current=${{COMP_WORDS[COMP_CWORD]}} words=
+  COMPREPLY=()
   if ((COMP_CWORD == 1)); then
     words='{}{}'
   else

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: MIT
+#include "tests/app/program.h"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+
+namespace bedmix {
+namespace {
+
+class Commands : public ProgramTest {};
+
+TEST_F(Commands, VersionNamesTheCommit) {
+  const Outcome o = bedmix({"--version"});
+  EXPECT_EQ(o.exitCode, 0);
+  EXPECT_TRUE(contains(o.out, "bedmix 0.1.0 ("));
+  EXPECT_EQ(bedmix({"--version"}).out, o.out);
+}
+
+TEST_F(Commands, ScenesAreListedAndShown) {
+  const auto scenes = nlohmann::json::parse(bedmix({"scenes", "--json"}).out);
+  std::vector<std::string> names;
+  for (const auto& scene : scenes) names.push_back(scene["name"]);
+  for (const char* name : {"settling", "single-jet", "tian-2007-even", "tian-2007-inclined", "tiny"})
+    EXPECT_NE(std::find(names.begin(), names.end(), name), names.end()) << name;
+  EXPECT_TRUE(contains(bedmix({"scenes"}).out, "tian-2007-even"));
+  EXPECT_EQ(bedmix({"scenes", "show", "tiny"}).out, readFile(BEDMIX_SOURCE_DIR "/assets/scenes/tiny.toml"));
+}
+
+TEST_F(Commands, EveryBundledSceneIsValid) {
+  for (const auto& scene : nlohmann::json::parse(bedmix({"scenes", "--json"}).out)) {
+    const Outcome o = bedmix({"check", scene["name"], "--json"});
+    ASSERT_EQ(o.exitCode, 0) << o.err;
+    const auto report = nlohmann::json::parse(o.out);
+    EXPECT_EQ(report["valid"], true);
+    EXPECT_GT(report["effort"]["run time"]["value"], 0.0) << scene["name"];
+    EXPECT_GE(report["time scales"]["contact time scale T"]["value"].get<double>(),
+              14.0 * report["time scales"]["particle step"]["value"].get<double>());
+  }
+}
+
+TEST_F(Commands, CheckSaysWhatThePaperSays) {
+  const auto report = nlohmann::json::parse(bedmix({"check", "tian-2007-even", "--json"}).out);
+  EXPECT_EQ(report["effects"]["gas"]["value"], "on");
+  EXPECT_NEAR(report["gas"]["u_mf"]["value"], 1.289, 1e-3);                            // Tian et al. (2007)
+  EXPECT_NEAR(report["time scales"]["contact time scale T"]["value"], 9.96e-4, 1e-6);  // Eq. (10)
+  EXPECT_NEAR(report["gas"]["inlet 1"]["value"], 2.579, 1e-3);
+}
+
+TEST_F(Commands, ResolvedSceneIsItsOwnResolution) {
+  const Outcome once = bedmix({"check", "tiny", "--resolved"});
+  ASSERT_EQ(once.exitCode, 0) << once.err;
+  EXPECT_TRUE(contains(once.out, "integrator = \"velocity-verlet\""));
+  writeFile(folder / "again.toml", once.out);
+  EXPECT_EQ(bedmix({"check", "again.toml", "--resolved"}).out, once.out);
+}
+
+TEST_F(Commands, DoctorFindsWhatTheDemoNeeds) {
+  const Outcome o = bedmix({"doctor", "--json"});
+  EXPECT_EQ(o.exitCode, 0) << o.out;
+  for (const auto& part : nlohmann::json::parse(o.out)) EXPECT_EQ(part["works"], true) << part;
+}
+
+TEST_F(Commands, CompletionScriptsKnowEveryOption) {
+  const Outcome o = shell(
+      "\"$BEDMIX\" completion bash > c.bash && bash -n c.bash && source c.bash && "
+      "COMP_WORDS=(bedmix run --th) COMP_CWORD=2 && _bedmix && echo \"${COMPREPLY[*]}\" && "
+      "COMP_WORDS=(bedmix re) COMP_CWORD=1 && _bedmix && echo \"${COMPREPLY[*]}\" && "
+      "COMP_WORDS=(bedmix check tian-2007-e) COMP_CWORD=2 && _bedmix && echo \"${COMPREPLY[*]}\"");
+  EXPECT_EQ(o.exitCode, 0) << o.err;
+  EXPECT_EQ(o.out, "--threads\nreplay render\ntian-2007-even\n");
+  for (const char* shellName : {"zsh", "fish"}) {
+    const Outcome script = bedmix({"completion", shellName});
+    EXPECT_EQ(script.exitCode, 0);
+    for (const char* word : {"replay", "min-particles", "tian-2007-even"})
+      EXPECT_TRUE(contains(script.out, word));
+  }
+  EXPECT_EQ(bedmix({"completion", "tcsh"}).exitCode, 2);
+}
+
+TEST_F(Commands, QuietSaysNothing) {
+  const Outcome o = bedmix({"--quiet", "run", "tiny", "-o", "r"});
+  EXPECT_EQ(o.exitCode, 0);
+  EXPECT_EQ(o.err + o.out, "");
+}
+
+}  // namespace
+}  // namespace bedmix

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: MIT
+#include "engine/core/scene_keys.h"
+#include "tests/app/program.h"
+
+#include <regex>
+#include <set>
+
+namespace fs = std::filesystem;
+
+namespace bedmix {
+namespace {
+
+class Documentation : public ProgramTest {};
+
+/// All group-1 matches of a pattern.
+std::set<std::string> matches(const std::string& text, const std::string& pattern) {
+  const std::regex regex(pattern);
+  std::set<std::string> found;
+  for (std::sregex_iterator it(text.begin(), text.end(), regex), end; it != end; ++it) found.insert((*it)[1]);
+  return found;
+}
+
+std::set<std::string> commands(const Outcome& help) {
+  return matches(help.out.substr(help.out.find("Subcommands:")), "\n  ([a-z]+)  ");
+}
+
+TEST_F(Documentation, EveryCommandHasHelpWithAnExample) {
+  const auto names = commands(bedmix({"--help"}));
+  EXPECT_EQ(names, (std::set<std::string>{"check", "completion", "doctor", "plot", "render", "replay", "run",
+                                          "scenes", "sheet"}));
+  for (const std::string& name : names) {
+    const Outcome help = bedmix({name, "--help"});
+    EXPECT_EQ(help.exitCode, 0);
+    EXPECT_TRUE(contains(help.out, "Example"));
+    EXPECT_TRUE(contains(help.out, "  bedmix " + name) || contains(help.out, "(bedmix " + name)) << help.out;
+  }
+}
+
+/// The lines of a document that call the program.
+std::set<std::string> calls(const std::string& text) {
+  return matches(text, "\n *(?:\\$ )?(?:build/release/)?(bedmix [^\n]*)");
+}
+
+TEST_F(Documentation, WhatDocumentsCallExists) {
+  const auto names = commands(bedmix({"--help"}));
+  std::vector<fs::path> documents{BEDMIX_SOURCE_DIR "/README.md"};
+  for (const auto& entry : fs::directory_iterator(BEDMIX_SOURCE_DIR "/assets/docs"))
+    if (entry.path().extension() == ".md") documents.push_back(entry.path());
+  EXPECT_GE(documents.size(), 4u);
+  for (const fs::path& document : documents) {
+    for (const std::string& call : calls(readFile(document))) {
+      const auto command = matches(call, "^bedmix ([a-z]+)");
+      if (command.empty()) continue;  // bedmix --version
+      ASSERT_TRUE(names.contains(*command.begin())) << document << ": " << call;
+      const std::string help = bedmix({*command.begin(), "--help"}).out + bedmix({"--help"}).out;
+      for (const std::string& option : matches(call, " (--[a-z-]+)"))
+        EXPECT_TRUE(contains(help, option)) << call;
+    }
+  }
+}
+
+TEST_F(Documentation, LinksOfDocumentsLeadSomewhere) {
+  for (const char* name :
+       {"README.md", "assets/docs/scenes.md", "assets/docs/recording.md", "assets/docs/pictures.md"}) {
+    const fs::path document = fs::path(BEDMIX_SOURCE_DIR) / name;
+    for (const std::string& link : matches(readFile(document), "\\]\\(([^)#:]+)\\)"))
+      EXPECT_TRUE(fs::exists(document.parent_path() / link)) << name << " links " << link;
+  }
+}
+
+TEST_F(Documentation, SceneReferenceHasEveryKeyWithItsMeaning) {
+  const std::string reference = readFile(BEDMIX_SOURCE_DIR "/assets/docs/scenes.md");
+  for (const SceneKey& key : sceneKeys())
+    EXPECT_TRUE(contains(reference, "| `" + key.path + "` | " + std::string(key.key.meaning))) << key.path;
+}
+
+}  // namespace
+}  // namespace bedmix
