@@ -15,33 +15,56 @@ TEST_P(RoundTrip, GivesBackEveryBit) {
   const auto [gas, friction] = GetParam();
   const Scene scene = syntheticScene(gas, friction);
   const TemporaryFolder folder;
-  {
-    auto writer = TrajectoryWriter::create(folder / "trajectory.h5", scene, {"0.1.0", "abc"});
-    ASSERT_TRUE(writer) << toString(writer.problems.front());
-    for (int i = 0; i < 150; ++i) writer->accept(syntheticFrame(scene, i));
-    ASSERT_FALSE(writer->failure()) << toString(*writer->failure());
-  }
-  auto reader = TrajectoryReader::open(folder.path());
+  record(folder / "trajectory.h5", scene, 150);
+
+  EXPECT_EQ(playBack(folder.path(), scene).frames, 150u);  // a run folder
+  auto reader = TrajectoryReader::open(folder / "trajectory.h5");
   ASSERT_TRUE(reader) << toString(reader.problems.front());
   EXPECT_EQ(writeScene(reader->scene()), writeScene(scene));
   EXPECT_EQ(reader->scene().name, scene.name);
-  ASSERT_EQ(reader->times().size(), 150u);
-  for (int i = 0; i < 150; ++i) {
-    const FramePtr frame = reader->next();
-    ASSERT_TRUE(frame) << toString(*reader->failure());
-    EXPECT_TRUE(sameBits(*frame, syntheticFrame(scene, i))) << "frame " << i;
-    EXPECT_EQ(reader->times()[static_cast<std::size_t>(i)], frame->time);
-  }
-  EXPECT_FALSE(reader->next());
-  EXPECT_FALSE(reader->failure());
-  for (int i : {77, 0, 149, 3}) {
-    auto frame = reader->frame(static_cast<std::size_t>(i));
+  for (std::size_t i : {77u, 0u, 149u, 3u}) {
+    const auto frame = reader->frame(i);
     ASSERT_TRUE(frame);
-    EXPECT_TRUE(sameBits(**frame, syntheticFrame(scene, i)));
+    EXPECT_TRUE(sameBits(**frame, syntheticFrame(scene, static_cast<int>(i))));
+    EXPECT_EQ(reader->times()[i], (*frame)->time);
   }
 }
 
 INSTANTIATE_TEST_SUITE_P(Effects, RoundTrip, testing::Combine(testing::Bool(), testing::Bool()));
+
+TEST(RoundTrip, ManyFramesSplitTheTreesOfChunks) {
+  const Scene scene = syntheticScene(true, false, 3);
+  const TemporaryFolder folder;
+  record(folder / "trajectory.h5", scene, 5000);
+  EXPECT_EQ(playBack(folder.path(), scene).frames, 5000u);
+}
+
+TEST(RoundTrip, KeepsABedWithoutParticles) {
+  const Scene scene = syntheticScene(true, true, 0);
+  const TemporaryFolder folder;
+  record(folder / "trajectory.h5", scene, 5);
+  EXPECT_EQ(playBack(folder.path(), scene).frames, 5u);
+}
+
+TEST(RoundTrip, ReadsWhileTheRunGoesOn) {
+  const Scene scene = syntheticScene(true, true);
+  const TemporaryFolder folder;
+  auto writer = TrajectoryWriter::create(folder / "trajectory.h5", scene, {"0.1.0", "abc"});
+  ASSERT_TRUE(writer);
+  for (int i = 0; i < 140; ++i) {
+    writer->accept(syntheticFrame(scene, i));
+    if (i % 10 > 0) continue;
+    EXPECT_EQ(playBack(folder.path(), scene).frames, static_cast<std::size_t>(i + 1));
+  }
+}
+
+TEST(RoundTrip, SameFramesMakeTheSameFile) {
+  const Scene scene = syntheticScene(true, true);
+  const TemporaryFolder folder;
+  record(folder / "a.h5", scene, 20);
+  record(folder / "b.h5", scene, 20);
+  EXPECT_EQ(fileText(folder / "a.h5"), fileText(folder / "b.h5"));
+}
 
 }  // namespace
 }  // namespace bedmix::test

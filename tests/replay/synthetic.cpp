@@ -1,6 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "tests/replay/synthetic.h"
 
+#include "replay/trajectory_reader.h"
+#include "replay/trajectory_writer.h"
+
+#include <gtest/gtest.h>
+
 #include <algorithm>
 #include <bit>
 #include <cstdlib>
@@ -84,6 +89,28 @@ TemporaryFolder::~TemporaryFolder() {
 std::string fileText(const std::filesystem::path& path) {
   std::ifstream file(path, std::ios::binary);
   return {std::istreambuf_iterator<char>(file), {}};
+}
+
+void writeText(const std::filesystem::path& path, const std::string& text) {
+  std::ofstream(path, std::ios::binary) << text;
+}
+
+void record(const std::filesystem::path& path, const Scene& scene, int frames) {
+  auto writer = TrajectoryWriter::create(path, scene, {"0.1.0", "abc"});
+  ASSERT_TRUE(writer) << toString(writer.problems.front());
+  for (int i = 0; i < frames; ++i) writer->accept(syntheticFrame(scene, i));
+  ASSERT_FALSE(writer->failure()) << toString(*writer->failure());
+}
+
+Playback playBack(const std::filesystem::path& path, const Scene& scene) {
+  auto reader = TrajectoryReader::open(path);
+  if (!reader) return {0, toString(reader.problems.front())};
+  int frames = 0;
+  for (; const FramePtr frame = reader->next(); ++frames)
+    EXPECT_TRUE(sameBits(*frame, syntheticFrame(scene, frames))) << "frame " << frames;
+  EXPECT_FALSE(reader->failure()) << toString(*reader->failure());
+  EXPECT_EQ(reader->times().size(), static_cast<std::size_t>(frames));
+  return {static_cast<std::size_t>(frames), ""};
 }
 
 }  // namespace bedmix::test

@@ -36,5 +36,17 @@ class TemporaryFolder {
 };
 
 std::string fileText(const std::filesystem::path& path);
+void writeText(const std::filesystem::path& path, const std::string& text);
+
+/// Records the frames 0 to `frames` - 1 of the scene, and fails the test where that fails.
+void record(const std::filesystem::path& path, const Scene& scene, int frames);
+
+/// Reads a trajectory and expects frames 0 to some last one, each bit as it was made. Returns how many; 0,
+/// with the reader's message for the test to judge, where it does not open.
+struct Playback {
+  std::size_t frames = 0;
+  std::string message;
+};
+Playback playBack(const std::filesystem::path& path, const Scene& scene);
 
 }  // namespace bedmix::test
