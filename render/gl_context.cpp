@@ -7,6 +7,14 @@
 #include <mutex>
 #include <string>
 
+#ifdef __SANITIZE_ADDRESS__
+// Mesa keeps some 160 bytes of every context it destroys.
+extern "C" const char* __lsan_default_suppressions();
+extern "C" const char* __lsan_default_options();
+extern "C" const char* __lsan_default_suppressions() { return "leak:libOSMesa.so"; }
+extern "C" const char* __lsan_default_options() { return "print_suppressions=0"; }
+#endif
+
 namespace bedmix {
 
 namespace {
