@@ -7,13 +7,20 @@
 #include <mutex>
 #include <string>
 
+// What the sanitizers find inside Mesa is not ours: it keeps some 160 bytes of every context it destroys, and
+// they do not see the locks between its threads.
+extern "C" {
 #ifdef __SANITIZE_ADDRESS__
-// Mesa keeps some 160 bytes of every context it destroys.
-extern "C" const char* __lsan_default_suppressions();
-extern "C" const char* __lsan_default_options();
-extern "C" const char* __lsan_default_suppressions() { return "leak:libOSMesa.so"; }
-extern "C" const char* __lsan_default_options() { return "print_suppressions=0"; }
+const char* __lsan_default_suppressions();
+const char* __lsan_default_options();
+const char* __lsan_default_suppressions() { return "leak:libOSMesa.so"; }
+const char* __lsan_default_options() { return "print_suppressions=0"; }
 #endif
+#ifdef __SANITIZE_THREAD__
+const char* __tsan_default_suppressions();
+const char* __tsan_default_suppressions() { return "race:libOSMesa.so"; }
+#endif
+}
 
 namespace bedmix {
 
