@@ -27,7 +27,7 @@ class VelocityVerlet {
 
  private:
   double drift(BedState& bed);
-  void evaluate(BedState& bed);
+  void evaluate(BedState& bed, double halfStep);
   void kick(BedState& bed);
   bool rebuild(BedState& bed);
 

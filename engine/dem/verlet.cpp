@@ -74,7 +74,7 @@ void VelocityVerlet<friction>::begin(BedState& bed) {
   vx_ = bed.particles.vx;
   vy_ = bed.particles.vy;
   spin_ = bed.particles.spin;
-  evaluate(bed);
+  evaluate(bed, 0.0);
 }
 
 template <bool friction>
@@ -85,7 +85,7 @@ bool VelocityVerlet<friction>::step(BedState& bed) {
   const Particles& p = bed.particles;
   if (!bed.neighbours.spend(distance) && !bed.neighbours.measure(p.x, p.y) && !rebuild(bed)) return false;
   timer.lap(bed.seconds.neighbours);
-  evaluate(bed);
+  evaluate(bed, 0.5 * bed.step);
   timer.lap(bed.seconds.contacts);
   kick(bed);
   timer.lap(bed.seconds.integrate);
@@ -107,10 +107,10 @@ double VelocityVerlet<friction>::drift(BedState& bed) {
 }
 
 template <bool friction>
-void VelocityVerlet<friction>::evaluate(BedState& bed) {
+void VelocityVerlet<friction>::evaluate(BedState& bed, double halfStep) {
   const Particles& p = bed.particles;
   const Motion at{p.x.data(), p.y.data(), vx_.data(), vy_.data(), spin_.data()};
-  contacts_.evaluate(at, bed.neighbours, bed.history, 0.5 * bed.step, next_, bed.loads);
+  contacts_.evaluate(at, bed.neighbours, bed.history, halfStep, next_, bed.loads);
   std::swap(bed.history, next_);
   next_.clear();
 }

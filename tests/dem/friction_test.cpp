@@ -99,6 +99,29 @@ TEST_P(Friction, ObliqueImpactWithAStifferTangentialSpring) {
   EXPECT_NEAR(p.vx[0], vx - movable / m * vx * (1.0 - std::cos(phase)), 2e-3 * vx);
 }
 
+// Within a contact that sticks the tangential spring and the spin show the orders of the integrators.
+TEST_P(Friction, OrderWithinAContactThatSticks) {
+  constexpr double overlap = 5e-5, down = 0.2, along = 0.1, time = 1.6e-4;
+  scene_.contacts.friction = {.coefficient = 1000.0, .stiffnessRatio = 0.5, .dampingRatio = 0.5};
+  const double m = particleMass(scene_), movable = 2.0 / 7.0 * m, r = scene_.particles.diameter / 2.0;
+  const SpringDashpot law = wallLaw(scene_);
+  const DampedOscillator exact{movable, law.tangentialStiffness, law.tangentialDamping, 0.0, along};
+  const auto error = [&](int steps) {
+    scene_.time.step = time / steps;
+    const auto solver = solverAt(scene_, {{0.0, r - overlap}}, wideFloor());
+    solver->particles().vx[0] = along;
+    solver->particles().vy[0] = -down;
+    EXPECT_FALSE(solver->advance(steps));
+    EXPECT_EQ(solver->contactCount(), 1);
+    return std::abs(solver->particles().vx[0] + r * solver->particles().spin[0] - exact.velocityAt(time));
+  };
+  const double order = GetParam() == Integrator::rk4 ? 4.0 : 2.0;
+  for (const int steps : {8, 16}) {
+    const double measured = std::log2(error(steps) / error(2 * steps));
+    EXPECT_NEAR(measured, order, 0.15) << steps << " steps";
+  }
+}
+
 // A pair is like a wall: half the relative slip each, and equal spins. Slow, so that the line of centres
 // turns by only a thousandth while they touch.
 TEST_P(Friction, ObliquePairThatSticks) {

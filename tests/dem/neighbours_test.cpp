@@ -62,6 +62,21 @@ TEST(Neighbours, WallsWithinReachAreListed) {
   EXPECT_EQ(list.wallPairs(), expected);
 }
 
+TEST(Neighbours, TwoMayEachMoveByHalfTheSkin) {
+  NeighbourList list(diameter, {});
+  list.build({0.0, 1.0}, {0.0, 0.0});
+  const double half = 0.15 * diameter;
+  EXPECT_TRUE(list.covers(0.99 * half));
+  EXPECT_FALSE(list.covers(1.01 * half));
+  EXPECT_TRUE(list.spend(0.5 * half));
+  EXPECT_FALSE(list.covers(0.51 * half));
+  EXPECT_FALSE(list.spend(0.51 * half));
+  EXPECT_TRUE(list.measure({0.2 * half, 1.0}, {0.0, 0.0}));  // one has moved, by less
+  EXPECT_TRUE(list.covers(0.89 * half));
+  EXPECT_FALSE(list.covers(0.91 * half));
+  EXPECT_FALSE(list.measure({0.95 * half, 1.0}, {0.0, -0.95 * half}));
+}
+
 // Points that wander at random for thousands of steps: by the rules of spend(), measure() and build() none
 // may come to touch without being listed.
 TEST(Neighbours, WanderingPointsNeverTouchUnlisted) {

@@ -150,6 +150,32 @@ TEST(DemDeterminism, OneBitOfOneCoordinateShows) {
   EXPECT_NE(hashOf(*one), hashOf(*other));
 }
 
+// One more sphere, far away and fast, has the neighbour list built anew all the time. The others must not
+// notice: their contacts keep their springs, and sums do not depend on the list.
+TEST(DemDeterminism, RebuildingTheListChangesNoBit) {
+  for (const Integrator integrator : {Integrator::velocityVerlet, Integrator::rk4}) {
+    Scene scene = rainOfSpheres();
+    scene.time.integrator = integrator;
+    const auto alone = rain(scene);
+    Particles more = *packBed(scene);
+    for (auto* values : {&more.vx, &more.vy, &more.spin, &more.fx, &more.fy}) values->push_back(0.0);
+    more.x.push_back(1.0);
+    more.y.push_back(1.0);
+    more.vx.back() = 20.0;
+    const auto hurried = ParticleSolver::make(scene, std::move(more), bedWalls(scene));
+    for (int piece = 0; piece < 2000; ++piece) {
+      ASSERT_FALSE(alone->advance(10));
+      ASSERT_FALSE(hurried->advance(10));
+      for (std::size_t i = 0; i < alone->particles().size(); ++i) {
+        ASSERT_EQ(alone->particles().x[i], hurried->particles().x[i]) << "piece " << piece;
+        ASSERT_EQ(alone->particles().spin[i], hurried->particles().spin[i]) << "piece " << piece;
+      }
+    }
+    EXPECT_GT(hurried->neighbourBuilds(), 5 * alone->neighbourBuilds());
+    EXPECT_GT(alone->contactCount(), 30);
+  }
+}
+
 // Tangential springs belong to the state: two beds alike but for their springs differ.
 TEST(DemDeterminism, SpringsAreInTheHash) {
   Scene scene = smoothSpheres();
