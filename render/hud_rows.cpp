@@ -31,7 +31,7 @@ class Column {
   }
   void arrow(std::string line, float length, Rgba color) {
     const float width = std::max(1.5f, 0.15f * em_);
-    list_.lines.push_back({middle(0.0f), middle(0.0f) + Vec2f{length, 0.0f}, width,
+    list_.lines.push_back({middle(0.08f), middle(0.08f) + Vec2f{length, 0.0f}, width,
                            std::min(0.6f * length, 4.0f * width), color});
     text(std::move(line), std::max(signWidth, length / em_ + 0.4f));
   }

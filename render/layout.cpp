@@ -25,7 +25,7 @@ float scaleIn(const Scene& scene, const Box& room) {
 }  // namespace
 
 double viewHeight(const Scene& scene) {
-  return scene.bed.top == BedTop::open ? 1.05 * scene.bed.height : scene.bed.height;
+  return scene.bed.top == BedTop::open ? 1.1 * scene.bed.height : scene.bed.height;
 }
 
 Layout layoutPicture(const Scene& scene, Size size, Layers layers) {

@@ -22,7 +22,8 @@ struct Layout {
 /// The whole bed and, with the layer, the HUD above it or to its left, whichever leaves the bed larger.
 Layout layoutPicture(const Scene& scene, Size size, Layers layers);
 
-/// The height that pictures of the bed show, m: 5 % more than the bed where its top is open.
+/// The height that pictures of the bed show, m: a tenth more than the bed where its top is open, which
+/// the paper's beds stay below when the gas first lifts them.
 double viewHeight(const Scene& scene);
 
 }  // namespace bedmix

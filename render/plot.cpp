@@ -24,7 +24,7 @@ constexpr std::array pressureColumns{PlotColumn{"pressure_drop", "pressure drop"
 const std::array kinds{
     PlotKind{"mixing", "mixing.csv", mixingColumns, "mixing index", 0.0, 1.4},
     PlotKind{"compare", "mixing.csv", compareColumns, "Ashton index", 0.0, 1.4},
-    PlotKind{"flux", "flux.csv", fluxColumns, "solids flux leftward, kg/(m^2 s)", {}, {}},
+    PlotKind{"flux", "flux.csv", fluxColumns, "solids flux leftward, kg/(m\u00b2 s)", {}, {}},
     PlotKind{"pressure", "pressure.csv", pressureColumns, "pressure drop, Pa", {}, {}},
 };
 
@@ -67,11 +67,12 @@ std::string script(const std::string& output, std::string_view terminal, const P
     }
     text += "END\n";
   }
-  fmt::format_to(out, "set terminal {} noenhanced\nset output {}\n", terminal, singleQuoted(output));
+  fmt::format_to(out, "set encoding utf8\nset terminal {} noenhanced\nset output {}\n", terminal,
+                 singleQuoted(output));
   fmt::format_to(out, "set xlabel 't, s'\nset ylabel {}\nset xrange [0:*]\nset yrange {}\n",
                  singleQuoted(kind.yLabel), axis(kind.yMin, kind.yMax));
   text += "set grid linecolor rgb '#D0D0D0' linetype 1 linewidth 0.5\nset tics nomirror out\nset border 3\n";
-  text += curves.size() > 1 ? "set key outside top center horizontal\n" : "unset key\n";
+  text += curves.size() > 1 ? "set key outside top center horizontal Left reverse\n" : "unset key\n";
   for (std::size_t i = 0; i < curves.size(); ++i)
     fmt::format_to(out,
                    "{} $curve{} using 1:2 with lines linewidth 1 dashtype {} linecolor rgb '{}' title {}",

@@ -26,12 +26,13 @@ constexpr float labelBand = 1.5f;      // em, above a panel
 constexpr float scaleBarBand = 1.6f;   // em, below the last row
 constexpr std::size_t longestRow = 9;
 
-/// The height all panels show, m: a diameter more than the highest particle, but no more than other pictures.
+/// The height all panels show, m: a diameter more than the highest particle; what is thrown far above the bed
+/// is cut.
 double shownHeight(const Scene& scene, std::span<const FramePtr> frames) {
   float highest = 0.0f;
   for (const FramePtr& frame : frames)
     for (const Vec2f& p : frame->position) highest = std::max(highest, p.y);
-  return std::min(static_cast<double>(highest) + 1.5 * scene.particles.diameter, viewHeight(scene));
+  return std::min(static_cast<double>(highest) + 1.5 * scene.particles.diameter, 1.5 * scene.bed.height);
 }
 
 /// Where the panels go, all with the same camera but for its place.
