@@ -11,6 +11,7 @@
 #include <charconv>
 #include <cstring>
 #include <fstream>
+#include <system_error>
 #include <type_traits>
 
 namespace bedmix {
@@ -90,16 +91,15 @@ std::optional<Diagnostic> writeSummary(const std::filesystem::path& path, const 
   std::ofstream file(part, std::ios::binary);
   file << json.dump(2, ' ', false, Json::error_handler_t::replace) << '\n';
   file.close();
-  if (!file) {
-    const std::string reason = std::strerror(errno);
-    std::error_code ignored;
-    std::filesystem::remove(part, ignored);
-    return fileTrouble(path, "cannot be written: " + reason);
-  }
   std::error_code error;
-  std::filesystem::rename(part, path, error);
-  if (error) return fileTrouble(path, "cannot be written: " + error.message());
-  return std::nullopt;
+  if (!file)
+    error.assign(errno, std::generic_category());
+  else
+    std::filesystem::rename(part, path, error);
+  if (!error) return std::nullopt;
+  std::error_code ignored;
+  std::filesystem::remove(part, ignored);
+  return fileTrouble(path, "cannot be written: " + error.message());
 }
 
 Result<RunSummary> readSummary(const std::filesystem::path& path) {

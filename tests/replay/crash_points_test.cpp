@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: MIT
+#include "replay/trajectory_writer.h"
+#include "tests/replay/synthetic.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <unistd.h>
+
+// Where crash_test.cpp kills by chance, this goes through every moment there is: between any two writes, and
+// inside each that crosses the border of a page, the only places where the system tears one apart. The linker
+// hands the driver's calls to the functions below (--wrap).
+
+namespace bedmix::test {
+namespace {
+
+constexpr std::size_t page = 4096;
+
+/// A write, or, without bytes, the file made as long as `at`.
+struct Change {
+  std::size_t at;
+  std::string bytes;
+};
+std::vector<Change>* changes = nullptr;
+
+/// The change in the pieces that a kill can leave behind.
+std::vector<Change> pieces(const Change& change) {
+  std::vector<Change> list;
+  for (std::size_t done = 0; done < change.bytes.size();) {
+    const std::size_t at = change.at + done, size = std::min(page - at % page, change.bytes.size() - done);
+    list.push_back({at, change.bytes.substr(done, size)});
+    done += size;
+  }
+  return list.empty() ? std::vector{change} : list;
+}
+
+void apply(const Change& change, std::string& file) {
+  file.resize(std::max(file.size(), change.at + change.bytes.size()));
+  file.replace(change.at, change.bytes.size(), change.bytes);
+}
+
+}  // namespace
+}  // namespace bedmix::test
+
+extern "C" {
+ssize_t __real_pwrite(int file, const void* bytes, size_t size, off_t at);
+int __real_ftruncate(int file, off_t size);
+
+ssize_t __wrap_pwrite(int file, const void* bytes, size_t size, off_t at) {
+  using namespace bedmix::test;
+  if (changes) changes->push_back({static_cast<std::size_t>(at), {static_cast<const char*>(bytes), size}});
+  return __real_pwrite(file, bytes, size, at);
+}
+int __wrap_ftruncate(int file, off_t size) {
+  using namespace bedmix::test;
+  if (changes) changes->push_back({static_cast<std::size_t>(size), ""});
+  return __real_ftruncate(file, size);
+}
+}
+
+namespace bedmix::test {
+namespace {
+
+TEST(CrashPoints, AfterAnyPieceOfAnyWriteAllFramesAreThere) {
+  const Scene scene = syntheticScene(true, true, 3);
+  const TemporaryFolder folder;
+  constexpr int frames =
+      132;  // the trees of chunks split at 64 and again later, the lists of numbers grow at 128
+  std::vector<Change> log;
+  std::vector<std::size_t> logged;  // changes until each frame was reported
+  {
+    changes = &log;
+    auto writer = TrajectoryWriter::create(folder / "trajectory.h5", scene, {"0.1.0", "abc"});
+    ASSERT_TRUE(writer);
+    for (int i = 0; i < frames; ++i) {
+      writer->accept(syntheticFrame(scene, i));
+      logged.push_back(log.size());
+    }
+    ASSERT_FALSE(writer->failure());
+    changes = nullptr;
+  }
+
+  std::string file;
+  std::size_t done = 0, moments = 0;
+  for (std::size_t frame = 0; frame < frames; ++frame) {
+    const bool isTelling = frame > 0 && (frame < 3 || frame % 32 < 2 || frame % 32 > 29 || frame == 97);
+    for (; done < logged[frame]; ++done) {
+      for (const Change& piece : pieces(log[done])) {
+        apply(piece, file);
+        if (!isTelling) continue;
+        ++moments;
+        writeText(folder / "left.h5", file);
+        const Playback left = playBack(folder / "left.h5", scene);
+        ASSERT_GE(left.frames, frame) << "change " << done << ": " << left.message;
+        ASSERT_LE(left.frames, frame + 1);
+      }
+    }
+  }
+  EXPECT_GT(moments, 500u);
+}
+
+}  // namespace
+}  // namespace bedmix::test
