@@ -35,6 +35,7 @@ void driftAlong(HalfStep step, std::size_t n, double* __restrict x, double* __re
   }
 }
 
+/// Half a step in spin; `ahead` is the spin after another half.
 void turn(double halfPerInertia, std::size_t n, double* __restrict spin, double* __restrict ahead,
           const double* __restrict torque) {
   for (std::size_t i = 0; i < n; ++i) {
@@ -123,6 +124,7 @@ void VelocityVerlet<friction>::kick(BedState& bed) {
   const std::size_t n = p.size();
   kickAlong({half, perMass, 0.0}, n, p.vx.data(), loads.fx.data(), p.fx.data());
   kickAlong({half, perMass, -bed.gravity}, n, p.vy.data(), loads.fy.data(), p.fy.data());
+  // The next drift overwrites what this says of the spins ahead.
   if constexpr (friction) turn(half / p.inertia, n, p.spin.data(), spin_.data(), loads.torque.data());
 }
 

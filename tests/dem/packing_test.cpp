@@ -95,6 +95,14 @@ TEST(Packing, FloorIsInclinedOrAStair) {
     EXPECT_LT(deepestOverlap(scene, *p), 0.01 * scene.particles.diameter);
     EXPECT_GT(deepestOverlap(scene, *p), 0.0);
     EXPECT_LT(topHeight(*p), 0.06);
+
+    // It is at rest: left alone, nothing moves but by what the springs give as they load.
+    const auto solver = ParticleSolver::make(scene, *p, bedWalls(scene));
+    ASSERT_FALSE(solver->advance(20000));
+    for (std::size_t i = 0; i < p->size(); ++i) {
+      EXPECT_NEAR(solver->particles().x[i], p->x[i], 0.05 * scene.particles.diameter);
+      EXPECT_NEAR(solver->particles().y[i], p->y[i], 0.05 * scene.particles.diameter);
+    }
   }
 }
 
