@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <ranges>
 
 namespace bedmix {
 
@@ -11,7 +12,7 @@ namespace {
 
 std::uint8_t polynomial(const std::array<double, 6>& coefficients, double t) {
   double sum = 0.0;
-  for (auto c = coefficients.rbegin(); c != coefficients.rend(); ++c) sum = sum * t + *c;
+  for (const double c : std::views::reverse(coefficients)) sum = sum * t + c;
   return static_cast<std::uint8_t>(std::lround(std::clamp(sum, 0.0, 255.0)));
 }
 

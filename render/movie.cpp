@@ -60,9 +60,8 @@ struct Movie::State {
   }
   State(const State&) = delete;
   State& operator=(const State&) = delete;
-  ~State() { close(); }
+  ~State();
 
-  void close();
   Result<Done> openEncoder(double fps);
   Result<Done> openFile();
   /// Encodes `input` (null: the rest) and writes what comes out.
@@ -70,15 +69,13 @@ struct Movie::State {
   Diagnostic failure(int error) const { return part.failure(libavError(error)); }
 };
 
-void Movie::State::close() {
+Movie::State::~State() {
   sws_freeContext(toYuv);
-  toYuv = nullptr;
   av_packet_free(&packet);
   av_frame_free(&frame);
   avcodec_free_context(&encoder);
   if (file) avio_closep(&file->pb);
   avformat_free_context(file);
-  file = nullptr;
 }
 
 Result<Done> Movie::State::openEncoder(double fps) {
@@ -122,7 +119,8 @@ Result<Done> Movie::State::openEncoder(double fps) {
 
 Result<Done> Movie::State::openFile() {
   const std::string name = part.path().string();
-  avformat_alloc_output_context2(&file, nullptr, "mp4", name.c_str());
+  if (avformat_alloc_output_context2(&file, nullptr, "mp4", name.c_str()) < 0)
+    return noEncoder("libavformat writes no MP4");
   file->flags |= AVFMT_FLAG_BITEXACT | AVFMT_FLAG_FLUSH_PACKETS;  // a closed fragment survives a kill
   AVStream* stream = avformat_new_stream(file, nullptr);
   avcodec_parameters_from_context(stream->codecpar, encoder);

@@ -6,6 +6,7 @@
 #include <png.h>
 
 #include <cerrno>
+#include <cmath>
 #include <csetjmp>
 #include <cstdio>
 #include <cstring>
@@ -28,7 +29,7 @@ struct PngWriter {
 
   PngWriter() {
     png = png_create_write_struct(PNG_LIBPNG_VER_STRING, this, onError, [](png_structp, png_const_charp) {});
-    info = png_create_info_struct(png);
+    if (png) info = png_create_info_struct(png);
   }
   PngWriter(const PngWriter&) = delete;
   PngWriter& operator=(const PngWriter&) = delete;
@@ -54,7 +55,7 @@ bool encode(PngWriter& writer, std::FILE* file, const Image& image, const PngOpt
                PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
   if (!text.empty()) png_set_text(png, writer.info, text.data(), static_cast<int>(text.size()));
   if (options.dpi) {
-    const auto perMetre = static_cast<png_uint_32>(*options.dpi / 0.0254 + 0.5);
+    const auto perMetre = static_cast<png_uint_32>(std::lround(*options.dpi / 0.0254));
     png_set_pHYs(png, writer.info, perMetre, perMetre, PNG_RESOLUTION_METER);
   }
   png_write_info(png, writer.info);
@@ -81,6 +82,7 @@ Result<Done> writePng(const std::filesystem::path& path, const Image& image, con
     text.push_back(entry);
   }
   PngWriter writer;
+  if (!writer.info) return part.failure("libpng does not start");
   errno = 0;
   if (!encode(writer, file.get(), image, options, text)) return part.failure(writer.error);
   if (std::fclose(file.release()) != 0) return part.failure(std::strerror(errno));

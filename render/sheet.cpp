@@ -40,10 +40,23 @@ struct Grid {
   std::size_t columns = 0, rows = 0;
   float scale = 0.0f;  // px per m
   float columnStep = 0.0f, rowStep = 0.0f;
-  Vec2f first;             // px, lower left corner of the first bed
-  float bedHeight = 0.0f;  // px
+  Vec2f first;  // px, lower left corner of the first bed
+  Vec2f bed;    // px, width and height of the part that is shown
   Size size;
+
+  /// Lower left corner of a bed.
+  Vec2f corner(std::size_t panel) const {
+    const std::size_t row = panel / columns, column = panel % columns;
+    return first + Vec2f{static_cast<float>(column) * columnStep, static_cast<float>(row) * rowStep};
+  }
 };
+
+/// What a panel may draw on: the bed, its walls and what is below it.
+Box panelBox(const Grid& grid, std::size_t panel) {
+  const Vec2f corner = grid.corner(panel);
+  const float side = 0.5f * gap * em, top = corner.y - grid.bed.y;
+  return {corner.x - side, top, corner.x + grid.bed.x + side, top + grid.rowStep - labelBand * em};
+}
 
 Grid arrange(const Scene& scene, std::size_t panels, double height, Layers layers) {
   Grid grid;
@@ -54,10 +67,10 @@ Grid arrange(const Scene& scene, std::size_t panels, double height, Layers layer
   const float panel = std::min((inner - (columns - 1.0f) * gap * em) / columns, widestPanel);
   const float below = layers.has(Layer::walls) ? inletArrowHeight(scene, em) : 0.0f;
   grid.scale = panel / static_cast<float>(scene.bed.width);
-  grid.bedHeight = grid.scale * static_cast<float>(height);
+  grid.bed = {panel, grid.scale * static_cast<float>(height)};
   grid.columnStep = panel + gap * em;
-  grid.rowStep = labelBand * em + grid.bedHeight + below + 0.5f * em;
-  grid.first = {margin * em, margin * em + labelBand * em + grid.bedHeight};
+  grid.rowStep = labelBand * em + grid.bed.y + below + 0.5f * em;
+  grid.first = {margin * em, margin * em + labelBand * em + grid.bed.y};
   grid.size = {
       static_cast<int>(std::ceil(2.0f * margin * em + columns * panel + (columns - 1.0f) * gap * em)),
       static_cast<int>(std::ceil(margin * em + rows * grid.rowStep + scaleBarBand * em))};
@@ -125,20 +138,14 @@ Result<Image> drawSheet(const Scene& scene, std::span<const FramePtr> frames, La
   std::vector<Text> texts;
   DrawList panel;
   for (std::size_t i = 0; i < frames.size(); ++i) {
-    const Vec2f step{static_cast<float>(i % grid.columns) * grid.columnStep,
-                     static_cast<float>(i / grid.columns) * grid.rowStep};
-    const Camera camera{grid.first + step, grid.scale};
-    const Vec2f& corner = camera.origin;
-    const float width = camera.length(scene.bed.width), side = 0.5f * gap * em;
     panel.clear();
-    panel.clip = {corner.x - side, corner.y - grid.bedHeight, corner.x + width + side,
-                  corner.y - grid.bedHeight + grid.rowStep - labelBand * em};
-    drawBed(panel, scene, *frames[i], camera, layers, em);
+    panel.clip = panelBox(grid, i);
+    drawBed(panel, scene, *frames[i], {grid.corner(i), grid.scale}, layers, em);
     surface->draw(panel);
-    texts.push_back({{corner.x + 0.5f * width, panel.clip.top - 0.25f * em},
+    texts.push_back({{0.5f * (panel.clip.left + panel.clip.right), panel.clip.top - 0.25f * em},
                      {0.5f, 1.0f},
                      ink,
-                     timeLabel(frames[i]->time, decimals)});
+                     timeLabel(times[i], decimals)});
   }
   DrawList bar;
   bar.clip = {0.0f, 0.0f, static_cast<float>(grid.size.width), static_cast<float>(grid.size.height)};

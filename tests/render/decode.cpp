@@ -14,9 +14,9 @@ namespace {
 Image toRgb(const AVFrame& frame) {
   Image image;
   image.resize({frame.width, frame.height});
-  SwsContext* sws =
-      sws_getContext(frame.width, frame.height, static_cast<AVPixelFormat>(frame.format), frame.width,
-                     frame.height, AV_PIX_FMT_RGBA, SWS_POINT | SWS_ACCURATE_RND, nullptr, nullptr, nullptr);
+  SwsContext* sws = sws_getContext(
+      frame.width, frame.height, static_cast<AVPixelFormat>(frame.format), frame.width, frame.height,
+      AV_PIX_FMT_RGBA, SWS_POINT | SWS_ACCURATE_RND | SWS_FULL_CHR_H_INT, nullptr, nullptr, nullptr);
   const int* coefficients = sws_getCoefficients(frame.colorspace);
   sws_setColorspaceDetails(sws, coefficients, frame.color_range == AVCOL_RANGE_JPEG, coefficients, 1, 0,
                            1 << 16, 1 << 16);

@@ -34,9 +34,9 @@ void film(const std::filesystem::path& path, Size size, double fps, int frames) 
 }
 
 void expectNear(Rgba actual, Rgba expected) {
-  EXPECT_NEAR(actual.r, expected.r, 8);
-  EXPECT_NEAR(actual.g, expected.g, 8);
-  EXPECT_NEAR(actual.b, expected.b, 8);
+  EXPECT_NEAR(actual.r, expected.r, 3);
+  EXPECT_NEAR(actual.g, expected.g, 3);
+  EXPECT_NEAR(actual.b, expected.b, 3);
 }
 
 TEST(Movie, IsWhatWasPutIn) {
