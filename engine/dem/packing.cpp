@@ -110,7 +110,9 @@ Result<Particles> packBed(const Scene& scene) {
   Particles start = makeParticles(scene, scatter(scene, *lattice));
   if (scene.start.arrangement == Arrangement::drop || start.size() == 0) return start;
 
-  const auto solver = ParticleSolver::make(scene, std::move(start), bedWalls(scene));
+  Scene calm = scene;
+  calm.time.integrator = Integrator::velocityVerlet;
+  const auto solver = ParticleSolver::make(calm, std::move(start), bedWalls(scene));
   if (const auto trouble = settle(scene, *solver))
     return Diagnostic({}, fmt::format("start: while the bed settled, {} of particle {} became {:.3g} ({}); "
                                       "take a smaller time.step or a larger contacts.stiffness",

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
+#include "engine/dem/axis.h"
 #include "engine/dem/integrators.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace bedmix {
 
@@ -10,6 +10,31 @@ namespace {
 
 constexpr std::array<double, 4> weights{1.0 / 6.0, 1.0 / 3.0, 1.0 / 3.0, 1.0 / 6.0};
 constexpr std::array<double, 4> instants{0.0, 0.5, 0.5, 1.0};  // of the stages, in steps
+
+void addRateAlong(Acceleration acceleration, double weight, std::size_t n, double* __restrict sumX,
+                  double* __restrict sumV, const double* __restrict v, const double* __restrict contacts,
+                  const double* __restrict others) {
+  for (std::size_t i = 0; i < n; ++i) {
+    sumX[i] += weight * v[i];
+    sumV[i] += weight * acceleration(contacts[i], others[i]);
+  }
+}
+
+/// `x0` and `v0` are the start of the step, `v` is the last stage's and becomes the next one's.
+void moveAlong(Acceleration acceleration, double duration, std::size_t n, double* __restrict x,
+               double* __restrict v, const double* __restrict x0, const double* __restrict v0,
+               const double* __restrict contacts, const double* __restrict others) {
+  for (std::size_t i = 0; i < n; ++i) {
+    x[i] = x0[i] + duration * v[i];
+    v[i] = v0[i] + duration * acceleration(contacts[i], others[i]);
+  }
+}
+
+/// to += factor * change.
+void add(std::vector<double>& to, double factor, const std::vector<double>& change) {
+  double* __restrict values = to.data();
+  for (std::size_t i = 0; i < to.size(); ++i) values[i] += factor * change[i];
+}
 
 }  // namespace
 
@@ -73,30 +98,30 @@ bool RungeKutta4<friction>::attempt(BedState& bed, bool force) {
 template <bool friction>
 void RungeKutta4<friction>::addRate(const BedState& bed, double weight) {
   const Particles& p = bed.particles;
-  for (std::size_t i = 0; i < p.size(); ++i) {
-    sum_.x[i] += weight * at_.vx[i];
-    sum_.y[i] += weight * at_.vy[i];
-    sum_.vx[i] += weight * ((bed.loads.fx[i] + p.fx[i]) / p.mass);
-    sum_.vy[i] += weight * ((bed.loads.fy[i] + p.fy[i]) / p.mass - bed.gravity);
-    if constexpr (friction) sum_.spin[i] += weight * (bed.loads.torque[i] / p.inertia);
-  }
+  const std::size_t n = p.size();
+  const double perMass = 1.0 / p.mass;
+  addRateAlong({perMass, 0.0}, weight, n, sum_.x.data(), sum_.vx.data(), at_.vx.data(), bed.loads.fx.data(),
+               p.fx.data());
+  addRateAlong({perMass, -bed.gravity}, weight, n, sum_.y.data(), sum_.vy.data(), at_.vy.data(),
+               bed.loads.fy.data(), p.fy.data());
+  if constexpr (friction) add(sum_.spin, weight / p.inertia, bed.loads.torque);
 }
 
 // From the start of the step with the rates of the last stage. Returns the largest distance moved, m.
 template <bool friction>
 double RungeKutta4<friction>::moveFromStart(const BedState& bed, double duration) {
   const Particles& p = bed.particles;
-  double fastest = 0.0;  // square
-  for (std::size_t i = 0; i < p.size(); ++i) {
-    const double speed2 = at_.vx[i] * at_.vx[i] + at_.vy[i] * at_.vy[i];
-    fastest = speed2 > fastest ? speed2 : fastest;
-    at_.x[i] = p.x[i] + duration * at_.vx[i];
-    at_.y[i] = p.y[i] + duration * at_.vy[i];
-    at_.vx[i] = p.vx[i] + duration * ((bed.loads.fx[i] + p.fx[i]) / p.mass);
-    at_.vy[i] = p.vy[i] + duration * ((bed.loads.fy[i] + p.fy[i]) / p.mass - bed.gravity);
-    if constexpr (friction) at_.spin[i] = p.spin[i] + duration * (bed.loads.torque[i] / p.inertia);
+  const std::size_t n = p.size();
+  const double perMass = 1.0 / p.mass, distance = duration * largestNorm(at_.vx, at_.vy);
+  moveAlong({perMass, 0.0}, duration, n, at_.x.data(), at_.vx.data(), p.x.data(), p.vx.data(),
+            bed.loads.fx.data(), p.fx.data());
+  moveAlong({perMass, -bed.gravity}, duration, n, at_.y.data(), at_.vy.data(), p.y.data(), p.vy.data(),
+            bed.loads.fy.data(), p.fy.data());
+  if constexpr (friction) {
+    at_.spin = p.spin;
+    add(at_.spin, duration / p.inertia, bed.loads.torque);
   }
-  return std::sqrt(fastest) * duration;
+  return distance;
 }
 
 template <bool friction>
@@ -111,17 +136,11 @@ template <bool friction>
 double RungeKutta4<friction>::finish(BedState& bed) {
   Particles& p = bed.particles;
   const double dt = bed.step;
-  double farthest = 0.0;  // square
-  for (std::size_t i = 0; i < p.size(); ++i) {
-    const double dx = dt * sum_.x[i], dy = dt * sum_.y[i];
-    const double distance2 = dx * dx + dy * dy;
-    farthest = distance2 > farthest ? distance2 : farthest;
-    p.x[i] += dx;
-    p.y[i] += dy;
-    p.vx[i] += dt * sum_.vx[i];
-    p.vy[i] += dt * sum_.vy[i];
-    if constexpr (friction) p.spin[i] += dt * sum_.spin[i];
-  }
+  add(p.x, dt, sum_.x);
+  add(p.y, dt, sum_.y);
+  add(p.vx, dt, sum_.vx);
+  add(p.vy, dt, sum_.vy);
+  if constexpr (friction) add(p.spin, dt, sum_.spin);
 
   ContactHistory& history = bed.history;
   const ContactHistory& last = stages_[3];
@@ -136,7 +155,7 @@ double RungeKutta4<friction>::finish(BedState& bed) {
       history.spring[k] = stages_[0].spring[k] + dt * slip;
     }
   }
-  return std::sqrt(farthest);
+  return dt * largestNorm(sum_.x, sum_.y);
 }
 
 template <bool friction>

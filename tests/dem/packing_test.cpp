@@ -61,9 +61,12 @@ TEST(Packing, SeedsGiveDifferentBedsAndTheSameSeedTheSame) {
   Scene scene = paperBed(40, Arrangement::settled);
   scene.bed.width = 0.03;
   const auto one = packBed(scene), same = packBed(scene);
+  scene.time.integrator = Integrator::rk4;
+  const auto forRungeKutta = packBed(scene);
   scene.seed = 2;
   const auto other = packBed(scene);
-  ASSERT_TRUE(one && same && other);
+  ASSERT_TRUE(one && same && forRungeKutta && other);
+  EXPECT_EQ(one->x, forRungeKutta->x);
   EXPECT_EQ(one->x, same->x);
   EXPECT_EQ(one->y, same->y);
   EXPECT_NE(one->x, other->x);
