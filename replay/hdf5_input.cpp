@@ -11,9 +11,19 @@ namespace {
 
 H5 openFile(const std::filesystem::path& path) {
   quietHdf5();
+  if (std::filesystem::file_size(path) == 0)
+    throw Hdf5Error("is empty: its run ended before the first frame was written");
+  if (H5Fis_hdf5(path.c_str()) <= 0)
+    throw Hdf5Error("is no HDF5 file; name a trajectory.h5 or the folder of a run");
   const H5 access(H5Pcreate(H5P_FILE_ACCESS), "set up the file");
   H5Pset_file_locking(access, false, true);
-  return {H5Fopen(path.c_str(), H5F_ACC_RDONLY, access), "open it as HDF5"};
+  try {
+    return {H5Fopen(path.c_str(), H5F_ACC_RDONLY, access), "open it"};
+  } catch (const Hdf5Error& e) {
+    if (std::string(e.what()).find("truncated file") == std::string::npos) throw;
+    throw Hdf5Error("is cut off at " + std::to_string(std::filesystem::file_size(path)) +
+                    " bytes, perhaps by an interrupted copy; copy it once more");
+  }
 }
 
 H5 openDataset(hid_t file, const std::string& path) {
