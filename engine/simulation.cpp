@@ -120,7 +120,7 @@ std::optional<std::string> Simulation::State::particleSteps(std::int64_t n) {
   seconds[static_cast<std::size_t>(Stage::neighbours)] += after.neighbours - before.neighbours;
   seconds[static_cast<std::size_t>(Stage::contacts)] += after.contacts - before.contacts;
   seconds[static_cast<std::size_t>(Stage::integrate)] += after.integrate - before.integrate;
-  step += n;
+  step += trouble ? trouble->steps : n;
   report.largestOverlap = solver->largestOverlap();
   report.largestOverlapParticle = solver->largestOverlapParticle();
   if (!trouble) return std::nullopt;

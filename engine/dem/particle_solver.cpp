@@ -36,12 +36,15 @@ class Solver final : public ParticleSolver {
       integrator_.begin(bed_);
       begun_ = true;
     }
-    for (std::int64_t s = 0; s < steps; ++s) {
+    std::int64_t taken = 0;
+    for (; taken < steps; ++taken) {
       if (!integrator_.step(bed_)) break;
       if (largestOverlap() > maxOverlap_)
-        return DemTrouble{largestOverlapParticle(), largestOverlap(), false, "contacts"};
+        return DemTrouble{largestOverlapParticle(), largestOverlap(), false, "contacts", taken + 1};
     }
-    return findNonFinite(bed_.particles, "integrate");
+    std::optional<DemTrouble> trouble = findNonFinite(bed_.particles, "integrate");
+    if (trouble) trouble->steps = taken;
+    return trouble;
   }
 
  private:

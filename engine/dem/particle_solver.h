@@ -19,6 +19,7 @@ struct DemTrouble {
   double value = 0.0;      // the value that is not finite, or the overlap over the diameter
   bool nonFinite = false;  // else the overlap is above the scene's limit
   const char* stage = "";  // where it was noticed: "start", "drag", "contacts" or "integrate"
+  std::int64_t steps = 0;  // of the call to advance() that had been taken by then
 };
 
 /// Soft spheres after Tian et al. (2007), Eqs (1) and (5) to (7), advanced in time under gravity, contacts
