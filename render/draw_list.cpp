@@ -38,7 +38,7 @@ void addArrow(DrawList& list, Vec2f tail, Vec2f velocity, float pxPerSpeed, floa
 void addRim(DrawList& list) {
   const Line arrow = list.lines.back();
   const Vec2f along = (arrow.to - arrow.from) * (1.0f / norm(arrow.to - arrow.from));
-  const float rim = std::max(0.75f, 0.4f * arrow.width);
+  const float rim = 0.5f * arrow.width;
   list.lines.back() = {arrow.from, arrow.to + along * (2.7f * rim), arrow.width + 2.0f * rim,
                        arrow.head + 3.7f * rim, white};
   list.lines.push_back(arrow);
@@ -84,7 +84,7 @@ void drawSampling(DrawList& list, const Scene& scene, const Camera& camera, floa
 }
 
 void drawVelocity(DrawList& list, const Scene& scene, const Frame& frame, const Camera& camera) {
-  const float pxPerSpeed = camera.length(arrowScale(scene, Layer::velocity).metresPerSpeed);
+  const float pxPerSpeed = camera.length(arrowScale(scene, Layer::velocity));
   const float width = std::max(1.0f, camera.length(0.2 * scene.particles.diameter));
   for (std::size_t i = 0; i < frame.size(); ++i) {
     const Vec2f at = camera.toPixel(frame.position[i]);
@@ -95,7 +95,7 @@ void drawVelocity(DrawList& list, const Scene& scene, const Frame& frame, const 
 
 void drawGas(DrawList& list, const Scene& scene, const Frame& frame, const Camera& camera) {
   const GasGrid grid = makeGasGrid(scene);
-  const float pxPerSpeed = camera.length(arrowScale(scene, Layer::gas).metresPerSpeed);
+  const float pxPerSpeed = camera.length(arrowScale(scene, Layer::gas));
   const float width = std::max(1.0f, camera.length(0.1 * grid.dx(0)));
   for (int row = 0; row < grid.rows; ++row)
     for (int column = 0; column < grid.columns; ++column) {
@@ -148,7 +148,7 @@ ColorRange colorRange(const Scene& scene, Layer layer) {
   return {0.0, weight > 0.0 ? 2.0 * roundDown(weight) : 1.0};
 }
 
-ArrowScale arrowScale(const Scene& scene, Layer layer) {
+double arrowScale(const Scene& scene, Layer layer) {
   // A typical speed, and the length it is drawn with.
   double speed = std::sqrt(scene.gravity * scene.bed.width), metres = 3.0 * scene.particles.diameter;
   if (layer == Layer::gas) {
@@ -159,7 +159,7 @@ ArrowScale arrowScale(const Scene& scene, Layer layer) {
     metres = grid.dx(0);
   }
   if (!(speed > 0.0)) speed = 1.0;
-  return {metres / speed, roundDown(1.2 * speed)};
+  return metres / speed;
 }
 
 double roundDown(double value) {

@@ -66,12 +66,8 @@ struct ColorRange {
 };
 ColorRange colorRange(const Scene& scene, Layer layer);
 
-/// How long arrows are: metres of picture per m/s, fixed for a scene, and a round speed for the legend.
-struct ArrowScale {
-  double metresPerSpeed = 0.0;  // s
-  double legendSpeed = 0.0;     // m/s
-};
-ArrowScale arrowScale(const Scene& scene, Layer velocityOrGas);
+/// How long the arrows of the particles or the gas are in the bed: metres per m/s, fixed for a scene.
+double arrowScale(const Scene& scene, Layer velocityOrGas);
 
 /// The largest of 1, 2, 5 times a power of ten that is not above `value` (> 0).
 double roundDown(double value);

@@ -14,7 +14,8 @@ namespace bedmix {
 
 namespace {
 
-constexpr float signWidth = 1.8f;  // em, room for a sign of the legend before its text
+constexpr float signWidth = 1.9f;    // em, room for a sign of the legend before its text
+constexpr float longestSign = 1.6f;  // em
 
 /// Writes rows one below the other.
 class Column {
@@ -33,7 +34,7 @@ class Column {
     const float width = std::max(1.5f, 0.15f * em_);
     list_.lines.push_back({middle(0.08f), middle(0.08f) + Vec2f{length, 0.0f}, width,
                            std::min(0.6f * length, 4.0f * width), color});
-    text(std::move(line), std::max(signWidth, length / em_ + 0.4f));
+    text(std::move(line), signWidth);
   }
   /// A title and, in the next row, the map's colours between the ends of the range.
   void colorBar(std::string title, ColorRange range) {
@@ -82,11 +83,11 @@ void drawState(Column column, const Scene& scene, const Frame& frame) {
   column.text(indexText("Ashton", mixing.ashton));
 }
 
-void drawLegend(Column column, const Scene& scene, Layers layers, const Camera& camera) {
+void drawLegend(Column column, const Scene& scene, Layers layers, const Camera& camera, float em) {
   const auto arrow = [&](Layer layer, const char* what, Rgba color) {
-    const ArrowScale scale = arrowScale(scene, layer);
-    column.arrow(fmt::format("{} {:g} m/s", what, scale.legendSpeed),
-                 camera.length(scale.legendSpeed * scale.metresPerSpeed), color);
+    const float pxPerSpeed = camera.length(arrowScale(scene, layer));
+    const double speed = roundDown(static_cast<double>(longestSign * em / pxPerSpeed));
+    column.arrow(fmt::format("{} {:g} m/s", what, speed), static_cast<float>(speed) * pxPerSpeed, color);
   };
   if (layers.has(Layer::particles)) {
     column.disc("tracer", tracerColor);
@@ -111,7 +112,7 @@ HudRowCount hudRowCount(const Scene& scene, Layers layers) {
 
 void drawHud(DrawList& list, const Scene& scene, const Frame& frame, Layers layers, const Layout& layout) {
   drawState({list, layout.state, layout.em}, scene, frame);
-  drawLegend({list, layout.legend, layout.em}, scene, layers, layout.camera);
+  drawLegend({list, layout.legend, layout.em}, scene, layers, layout.camera, layout.em);
   drawScaleBar(list, scene, layout.camera, layout.scaleBar, layout.em);
 
   const double top = layout.camera.heightAt(layout.view.top);

@@ -24,8 +24,8 @@ constexpr std::array pressureColumns{PlotColumn{"pressure_drop", "pressure drop"
 const std::array kinds{
     PlotKind{"mixing", "mixing.csv", mixingColumns, "mixing index", 0.0, 1.4},
     PlotKind{"compare", "mixing.csv", compareColumns, "Ashton index", 0.0, 1.4},
-    PlotKind{"flux", "flux.csv", fluxColumns, "solids flux leftward, kg/(m\u00b2 s)", {}, {}},
-    PlotKind{"pressure", "pressure.csv", pressureColumns, "pressure drop, Pa", {}, {}},
+    PlotKind{"flux", "flux.csv", fluxColumns, "solids flux leftward, kg/(m\u00b2 s)"},
+    PlotKind{"pressure", "pressure.csv", pressureColumns, "pressure drop, Pa"},
 };
 
 /// Dark to light in grey, apart for the colour-blind (Okabe and Ito), and apart by dashes in print.
@@ -47,11 +47,6 @@ std::string singleQuoted(std::string_view text) {
   return result + "'";
 }
 
-std::string axis(std::optional<double> low, std::optional<double> high) {
-  const auto end = [](std::optional<double> v) { return v ? fmt::format("{}", *v) : std::string("*"); };
-  return fmt::format("[{}:{}]", end(low), end(high));
-}
-
 std::string script(const std::string& output, std::string_view terminal, const PlotKind& kind,
                    std::span<const Curve> curves) {
   std::string text;
@@ -69,8 +64,8 @@ std::string script(const std::string& output, std::string_view terminal, const P
   }
   fmt::format_to(out, "set encoding utf8\nset terminal {} noenhanced\nset output {}\n", terminal,
                  singleQuoted(output));
-  fmt::format_to(out, "set xlabel 't, s'\nset ylabel {}\nset xrange [0:*]\nset yrange {}\n",
-                 singleQuoted(kind.yLabel), axis(kind.yMin, kind.yMax));
+  fmt::format_to(out, "set xlabel 't, s'\nset ylabel {}\nset xrange [0:*]\nset yrange [* < {} : {} < *]\n",
+                 singleQuoted(kind.yLabel), kind.yMin, kind.yMax);
   text += "set grid linecolor rgb '#D0D0D0' linetype 1 linewidth 0.5\nset tics nomirror out\nset border 3\n";
   text += curves.size() > 1 ? "set key outside top center horizontal Left reverse\n" : "unset key\n";
   for (std::size_t i = 0; i < curves.size(); ++i)

@@ -24,7 +24,7 @@ struct PlotKind {
   std::string_view file;  // e.g. "mixing.csv"
   std::span<const PlotColumn> columns;
   std::string_view yLabel;
-  std::optional<double> yMin, yMax;  // else as the data
+  double yMin = 0.0, yMax = 0.0;  // shown at least; more where the data go beyond
 };
 /// mixing (Fig. 6), compare, flux (Figs 7 and 10), pressure; the first is the default.
 std::span<const PlotKind> plotKinds();

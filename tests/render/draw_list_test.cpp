@@ -57,7 +57,7 @@ TEST(DrawList, VelocityArrowsStartAtTheCentresAndScaleWithSpeed) {
   frame.velocity = {{1.0f, 0.0f}, {0.0f, 0.5f}, {0.0f, 0.0f}};
   const DrawList list = drawn(scene, frame, {Layer::velocity});
   ASSERT_EQ(list.lines.size(), 2u);  // none for the one at rest
-  const float pxPerSpeed = camera.length(arrowScale(scene, Layer::velocity).metresPerSpeed);
+  const float pxPerSpeed = camera.length(arrowScale(scene, Layer::velocity));
   EXPECT_EQ(list.lines[0].from, camera.toPixel(frame.position[0]));
   EXPECT_FLOAT_EQ(list.lines[0].to.x, list.lines[0].from.x + pxPerSpeed);
   EXPECT_FLOAT_EQ(list.lines[0].to.y, list.lines[0].from.y);

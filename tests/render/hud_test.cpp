@@ -39,6 +39,23 @@ TEST(HudRows, SayTheStateOfTheBed) {
   EXPECT_TRUE(contains(texts, "20 mm"));
 }
 
+TEST(HudRows, LegendArrowIsAsLongAsItsSpeedInTheBed) {
+  const Scene scene = test::flatBed();
+  const Layers layers{Layer::velocity, Layer::hud};
+  for (const Size size : sizes) {
+    const Layout layout = layoutPicture(scene, size, layers);
+    DrawList list;
+    drawHud(list, scene, test::movingFrame(scene), layers, layout);
+    const auto label = std::find_if(list.texts.begin(), list.texts.end(),
+                                    [](const Text& t) { return t.text.starts_with("solids "); });
+    ASSERT_NE(label, list.texts.end());
+    const double speed = std::stod(label->text.substr(7));
+    const float length = norm(list.lines[0].to - list.lines[0].from);
+    EXPECT_NEAR(length, speed * layout.camera.length(arrowScale(scene, Layer::velocity)), 1e-2);
+    EXPECT_GT(length, 0.5f * layout.em);
+  }
+}
+
 TEST(HudRows, LeaveAnUndefinedIndexOpen) {
   const Scene scene = test::gaslessBed();
   const std::vector<std::string> texts =
