@@ -7,7 +7,7 @@ cd "$(dirname "${BASH_SOURCE[0]}")/.."
 source app/setup.sh
 
 cmake --preset debug
-cmake --build --preset debug
+cmake --build --preset debug --target test_core test_dem test_gas test_replay test_render
 ctest --preset debug --label-regex unit --parallel "$(nproc)"
 
 cmake --preset release
