@@ -16,6 +16,9 @@ using std::numbers::pi;
 /// Relative difference below which two lengths or times given in decimals count as equal.
 constexpr double rounding = 1e-9;
 
+/// Whole numbers up to here are exact in a double.
+constexpr double mostSteps = 1e15;
+
 class Rules {
  public:
   explicit Rules(const Scene& scene) : scene_(scene) {}
@@ -98,6 +101,10 @@ class Rules {
 
   void wholeMultiple(const std::string& path, double value, const std::string& ofPath, double of) {
     const double ratio = value / of;
+    if (ratio > mostSteps)
+      return add(path, {ofPath},
+                 fmt::format("{} = {} s takes {:.3g} steps of {} s; at most {:g} can be counted", path, value,
+                             ratio, of, mostSteps));
     const double whole = std::max(1.0, std::round(ratio));
     if (std::abs(ratio - whole) <= rounding * whole) return;
     add(path, {ofPath},

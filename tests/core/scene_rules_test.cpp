@@ -84,9 +84,13 @@ INSTANTIATE_TEST_SUITE_P(
                 "the nearest is 0.01001 s"},
         Spoiled{"GasStep", [](Scene& s) { s.gas->step = 2.5e-5; }, "gas.step", "must be a whole number"},
         Spoiled{"GasStepBelow", [](Scene& s) { s.gas->step = 1e-6; }, "gas.step", "the nearest is 1e-05 s"},
+        Spoiled{"Endless", [](Scene& s) { s.time.duration = 1e12; }, "time.duration", "at most 1e+15"},
         Spoiled{"Columns", [](Scene& s) { s.gas->grid.columns[0].count = 5; }, "gas.grid.columns",
                 "add up to 0.06 m, but bed.width is 0.048 m"},
-        Spoiled{"CellsSmallerThanParticles", [](Scene& s) { s.gas->grid.columns = {{16, 0.003}}; },
+        Spoiled{"CellsSmallerThanParticles",
+                [](Scene& s) {
+                  s.gas->grid.columns = {{16, 0.003}};
+                },
                 "gas.grid.columns", "smaller than a particle (0.004 m)"},
         Spoiled{"Rows", [](Scene& s) { s.gas->grid.rows[0].size = 0.011; }, "gas.grid.rows", "0.11 m"},
         Spoiled{"EmptyInlet", [](Scene& s) { s.gas->inlets[0].from = 0.024; }, "gas.inlets.0.to", "right of"},
