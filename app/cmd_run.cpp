@@ -120,6 +120,9 @@ void reportSteps(const Console& console, const Scene& scene, const StepReport& r
     console.warn(
         fmt::format("the largest overlap was {:.2g} of a diameter (particle {}); raise contacts.stiffness",
                     report.largestOverlap, report.largestOverlapParticle));
+  if (report.aboveGridLargest > 0)
+    console.say(fmt::format("up to {} particles at a time were above the gas grid and fell without gas",
+                            report.aboveGridLargest));
   if (report.gasStepsNotConverged > 0)
     console.warn(
         fmt::format("{} gas steps ended at the iteration limit; lower gas.step or raise gas.max_iterations",
