@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace bedmix {
@@ -54,6 +55,49 @@ TEST(Coupled, NoneOneOrTwoParticles) {
     for (float v : frame->gas.voidage) EXPECT_GT(v, 0.9f);
     EXPECT_LT(simulation.report().largestMassResidual, 1e-10);
   }
+}
+
+/// A low bed that strong gas lifts to the top at once.
+Scene lowScene(BedTop top) {
+  Scene scene = test::paperScene(6.0);
+  scene.bed.width = 0.048;
+  scene.bed.height = 0.12;
+  scene.bed.top = top;
+  scene.particles.count = 100;
+  scene.gas->grid.columns = {{4, 0.012}};
+  scene.gas->grid.rows = {{10, 0.012}};
+  scene.gas->inlets = {{0.0, 0.048, 6.0, std::nullopt}};
+  scene.limits.maxOverlap = 0.3;
+  return scene;
+}
+
+std::int64_t above(const Frame& frame, double height) {
+  return std::count_if(frame.position.begin(), frame.position.end(), [&](Vec2f p) { return p.y > height; });
+}
+
+TEST(Coupled, OpenTopLetsParticlesRiseAndFallBack) {
+  Simulation simulation = test::simulate(lowScene(BedTop::open));
+  std::int64_t risen = 0;
+  for (int k = 0; k < 40; ++k) {
+    ASSERT_EQ(simulation.advance(1000), std::nullopt);
+    risen = std::max(risen, above(*simulation.frame(), 0.12));
+  }
+  EXPECT_GT(risen, 20);
+  EXPECT_GE(simulation.report().aboveGridLargest, risen);
+  simulation.setInlets({{0.0, 0.048, 0.0, std::nullopt}});
+  ASSERT_EQ(simulation.advance(100'000), std::nullopt);
+  EXPECT_EQ(above(*simulation.frame(), 0.12), 0);
+  EXPECT_LT(simulation.report().largestMassResidual, 1e-10);
+}
+
+TEST(Coupled, LidHoldsParticlesAndLetsGasThrough) {
+  Simulation simulation = test::simulate(lowScene(BedTop::lid));
+  for (int k = 0; k < 40; ++k) {
+    ASSERT_EQ(simulation.advance(1000), std::nullopt);
+    ASSERT_EQ(above(*simulation.frame(), 0.12), 0);
+  }
+  EXPECT_GT(above(*simulation.frame(), 0.06), 50);  // the gas holds most of them up there
+  EXPECT_LT(simulation.report().largestMassResidual, 1e-10);
 }
 
 TEST(Coupled, MinimumFluidizationOnASlowRamp) {
