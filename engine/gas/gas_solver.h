@@ -34,7 +34,8 @@ class GasSolver {
   MomentumExchange& exchange() { return exchange_; }
   const MomentumExchange& exchange() const { return exchange_; }
 
-  /// Changes what enters, one superficial velocity a column, m/s, as in GasGrid::inletFlux; from the next step on.
+  /// Changes what enters, one superficial velocity a column, m/s, as in GasGrid::inletFlux; from the next
+  /// step on.
   void setInletFlux(const std::vector<double>& superficial);
   /// Sets the voidage the gas starts with, so that the first step sees no jump.
   void startWith(const std::vector<double>& voidage);

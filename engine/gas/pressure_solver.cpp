@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "engine/gas/pressure_solver.h"
 
+#include "engine/gas/multigrid.h"
+
 #include <Eigen/IterativeLinearSolvers>
 #include <Eigen/SparseCholesky>
 
 #include <algorithm>
+#include <cmath>
 
 namespace bedmix {
 
@@ -14,6 +17,29 @@ constexpr std::size_t largestDirect = 20000;  // cells; beyond it fill-in costs 
 constexpr double iterativeTolerance = 1e-12;
 
 using Sparse = Eigen::SparseMatrix<double>;  // lower triangle
+
+/// Multigrid in the shape Eigen's solvers ask of a preconditioner. It is prepared with the coefficients
+/// themselves, so the matrix it is offered says nothing new.
+class CyclePreconditioner {
+ public:
+  using StorageIndex = int;
+  enum { ColsAtCompileTime = Eigen::Dynamic, MaxColsAtCompileTime = Eigen::Dynamic };
+
+  CyclePreconditioner& analyzePattern(const Sparse&) { return *this; }
+  CyclePreconditioner& factorize(const Sparse&) { return *this; }
+  CyclePreconditioner& compute(const Sparse&) { return *this; }
+  Eigen::ComputationInfo info() const { return Eigen::Success; }
+  const Eigen::VectorXd& solve(const Eigen::VectorXd& b) const {
+    result_.resize(b.size());
+    multigrid.apply(b, result_);
+    return result_;
+  }
+
+  Multigrid multigrid;
+
+ private:
+  mutable Eigen::VectorXd result_;
+};
 
 }  // namespace
 
@@ -26,7 +52,7 @@ struct PressureSolver::Matrix {
   Eigen::VectorXd b, x;
   bool direct = true;
   Eigen::SimplicialLDLT<Sparse, Eigen::Lower> factorization;
-  Eigen::ConjugateGradient<Sparse, Eigen::Lower, Eigen::IncompleteCholesky<double>> iteration;
+  Eigen::ConjugateGradient<Sparse, Eigen::Lower, CyclePreconditioner> iteration;
 
   explicit Matrix(const FaceLayout& l) : layout(l), unknownOfCell(l.cellVolume.size(), -1) {
     const auto n = static_cast<int>(l.openCells.size());
@@ -45,6 +71,7 @@ struct PressureSolver::Matrix {
     x.setZero(n);
     direct = l.openCells.size() <= largestDirect;
     if (direct) factorization.analyzePattern(a);
+    if (!direct) iteration.preconditioner().multigrid = Multigrid(l, unknownOfCell);
     iteration.setTolerance(iterativeTolerance);
   }
 
@@ -58,6 +85,8 @@ PressureSolver::PressureSolver(const FaceLayout& layout) : matrix_(std::make_uni
 PressureSolver::~PressureSolver() = default;
 
 bool PressureSolver::prepare(const std::vector<double>& coefficient) {
+  if (!std::all_of(coefficient.begin(), coefficient.end(), [](double c) { return std::isfinite(c); }))
+    return false;
   Matrix& m = *matrix_;
   for (double* d : m.diagonal) *d = 0.0;
   for (std::size_t k = 0; k < m.layout.volumes.size(); ++k) {
@@ -71,8 +100,13 @@ bool PressureSolver::prepare(const std::vector<double>& coefficient) {
     m.factorization.factorize(m.a);
     return m.factorization.info() == Eigen::Success;
   }
+  m.iteration.preconditioner().multigrid.prepare(m.layout, coefficient);
   m.iteration.compute(m.a);
-  return m.iteration.info() == Eigen::Success;
+  return true;
+}
+
+int PressureSolver::iterations() const {
+  return matrix_->direct ? 0 : static_cast<int>(matrix_->iteration.iterations());
 }
 
 void PressureSolver::solve(const std::vector<double>& b, std::vector<double>& p) {
