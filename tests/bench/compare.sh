@@ -19,9 +19,11 @@ core=${CORE:-0} out=${OUT:-out/bench}
 [[ -f $deck/liggghts/in.dem && -f $deck/mkdata.py ]] || give_up "$deck has no mkdata.py and liggghts/in.dem"
 command -v liggghts >/dev/null || give_up "apt install liggghts python3-numpy"
 mkdir -p "$out"
-rm -f "$out"/*.csv
+rm -f "$out/bedmix.csv" "$out/liggghts.csv"
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
+# Six digits, the default, are too few to tell who touches in a wide bed.
+sed 's/^write_dump.*/& modify format "%d %.15g %.15g %.15g %.15g"/' "$deck/liggghts/in.dem" >"$scratch/in.dem"
 
 # State, particles, steps before the clock starts, steps measured.
 cases="packed 1000 5000 20000
@@ -41,7 +43,7 @@ run_liggghts() { # NAME RELAX STEPS N
   local width
   width=$(awk "BEGIN { print 0.096 * $4 / 1000 }")
   [[ -f $scratch/$1.data ]] || /usr/bin/python3 "$deck/mkdata.py" lmp "$states/$1.txt" "$scratch/$1.data" "$width"
-  taskset -c "$core" liggghts -log none -in "$deck/liggghts/in.dem" -var dim 3 -var bz f -var skin 0.001 \
+  taskset -c "$core" liggghts -log none -in "$scratch/in.dem" -var dim 3 -var bz f -var skin 0.001 \
     -var data "$scratch/$1.data" -var W "$width" -var nrelax "$2" -var n "$3" -var dump "$scratch/$1.dump" >"$scratch/log"
   [[ -f $out/liggghts.csv ]] || echo "case,particles,steps,ns_per_particle_step,contacts_per_particle" >"$out/liggghts.csv"
   # Contacts as bedmix counts them in the state LIGGGHTS ended in.
