@@ -1,4 +1,5 @@
 # SPDX-License-Identifier: MIT
+# shellcheck shell=bash
 # Sourced by app/demo.sh and tests/run.sh from the repository's root: installs what of app/packages.txt is
 # missing. Where nothing is, neither apt nor the network is touched.
 

@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: MIT
 # The paper's two cases over several seeds, as a table: mean and range of what Tian et al. (2007) report.
 #   bash tests/validation/seeds.sh [run options, e.g. --set gas.scheme='"simple"']
 # SCENES, SEEDS and OUT (folder) may be set. Runs as many at a time as there are processors, some 40 s each.
