@@ -2,10 +2,10 @@
 #include "app/commands.h"
 #include "app/frame_selection.h"
 #include "app/run_folder.h"
+#include "app/series.h"
 #include "engine/core/bed_statistics.h"
 #include "engine/core/scene_keys.h"
 #include "engine/core/scene_reader.h"
-#include "replay/series_log.h"
 #include "replay/trajectory_reader.h"
 
 #include <CLI/CLI.hpp>
@@ -13,7 +13,6 @@
 #include <nlohmann/json.hpp>
 
 #include <memory>
-#include <optional>
 
 namespace fs = std::filesystem;
 
@@ -66,21 +65,8 @@ ExitCode replay(const ReplayOptions& options, const Console& console) {
   const auto folder = makeReplayFolder(options.folder.empty() ? runFolderOf(options.run) / "replay"
                                                               : fs::path(options.folder));
   if (!folder) return console.fail(folder.problems);
-  auto mixing = MixingLog::create(folder->mixing(), samplingGrid(scene));
-  if (!mixing) return console.fail(mixing.problems);
-  std::vector<FileSink*> sinks{&*mixing.value};
-  std::optional<FluxLog> flux;
-  std::optional<PressureLog> pressure;
-  if (scene.flux) {
-    auto log = FluxLog::create(folder->flux(), scene);
-    if (!log) return console.fail(log.problems);
-    sinks.push_back(&flux.emplace(std::move(*log)));
-  }
-  if (scene.gas) {
-    auto log = PressureLog::create(folder->pressure(), scene);
-    if (!log) return console.fail(log.problems);
-    sinks.push_back(&pressure.emplace(std::move(*log)));
-  }
+  const auto series = openSeries(*folder, scene);
+  if (!series) return console.fail(series.problems);
 
   for (const std::size_t index : *selected) {
     const auto frame = reader->frame(index);
@@ -90,7 +76,7 @@ ExitCode replay(const ReplayOptions& options, const Console& console) {
       retagged = **frame;
       retagged.species = tracer;
     }
-    for (FileSink* sink : sinks) {
+    for (const auto& sink : *series) {
       sink->accept(tracer.empty() ? **frame : retagged);
       if (sink->failure()) return console.fail(*sink->failure());
     }

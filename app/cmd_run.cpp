@@ -4,10 +4,10 @@
 #include "app/progress.h"
 #include "app/run_folder.h"
 #include "app/scene_library.h"
+#include "app/series.h"
 #include "app/version.h"
 #include "engine/worker.h"
 #include "render/film_sink.h"
-#include "replay/series_log.h"
 #include "replay/summary.h"
 #include "replay/trajectory_writer.h"
 
@@ -57,23 +57,13 @@ Result<std::vector<Override>> overridesOf(const RunOptions& options) {
   return overrides;
 }
 
-template <class Sink>
-void keep(Recording& recording, Result<Sink> sink, std::vector<Diagnostic>& problems) {
-  if (sink)
-    recording.files.push_back(std::make_unique<Sink>(std::move(*sink)));
-  else
-    problems.insert(problems.end(), sink.problems.begin(), sink.problems.end());
-}
-
 Result<Recording> openRecording(const RunFolder& folder, const Scene& scene) {
-  Recording recording;
-  std::vector<Diagnostic> problems;
-  keep(recording, TrajectoryWriter::create(folder.trajectory(), scene, {programVersion, programCommit}),
-       problems);
-  keep(recording, MixingLog::create(folder.mixing(), samplingGrid(scene)), problems);
-  if (scene.flux) keep(recording, FluxLog::create(folder.flux(), scene), problems);
-  if (scene.gas) keep(recording, PressureLog::create(folder.pressure(), scene), problems);
-  if (!problems.empty()) return problems;
+  auto trajectory = TrajectoryWriter::create(folder.trajectory(), scene, {programVersion, programCommit});
+  if (!trajectory) return trajectory.problems;
+  auto series = openSeries(folder, scene);
+  if (!series) return series.problems;
+  Recording recording{std::move(*series), {}};
+  recording.files.insert(recording.files.begin(), std::make_unique<TrajectoryWriter>(std::move(*trajectory)));
   return recording;
 }
 
