@@ -100,7 +100,6 @@ std::optional<std::string> Simulation::State::gasStep() {
   clock.lap(Stage::drag);
   const GasStepReport r = gas->solver.advance(gas->voidage.voidage());
   ++gasSteps;
-  report.gasIterationsLargest = std::max(report.gasIterationsLargest, r.iterations);
   report.gasStepsNotConverged += !r.converged;
   report.largestMassResidual = std::max(report.largestMassResidual, r.massResidual);
   clock.lap(Stage::gas);

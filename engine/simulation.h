@@ -27,7 +27,6 @@ using StageSeconds = std::array<double, static_cast<std::size_t>(Stage::count)>;
 struct StepReport {
   double largestOverlap = 0.0;  // of a diameter
   std::int64_t largestOverlapParticle = -1;
-  std::int64_t gasIterationsLargest = 0;
   std::int64_t gasStepsNotConverged = 0;
   double largestMassResidual = 0.0;   // of the gas, relative to the inflow
   std::int64_t aboveGridLargest = 0;  // particles above the gas grid at one time

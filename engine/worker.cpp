@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "engine/worker.h"
 
+#include <algorithm>
 #include <chrono>
 #include <condition_variable>
 #include <deque>
@@ -60,9 +61,7 @@ struct Worker::State {
 
   RunEnd run(const std::stop_token& stop) {
     RunEnd outcome;
-    const auto settling = std::chrono::steady_clock::now();
     Result<Simulation> made = Simulation::make(scene, threads);
-    outcome.settleSeconds = secondsSince(settling);
     if (!made) {
       outcome.reason = EndReason::invalid;
       outcome.message = toString(made.problems.front());

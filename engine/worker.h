@@ -18,8 +18,7 @@ struct RunEnd {
   EndReason reason = EndReason::finished;
   std::string message;  // why, where the reason is `invalid`
   double simulatedSeconds = 0.0;
-  double settleSeconds = 0.0;  // wall time of the arrangement before t = 0
-  double wallSeconds = 0.0;    // wall time from t = 0 on
+  double wallSeconds = 0.0;  // from t = 0 on
   std::int64_t steps = 0;
   std::int64_t gasSteps = 0;
   StageSeconds stages{};

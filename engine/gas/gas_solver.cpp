@@ -114,7 +114,7 @@ GasStepReport GasSolver::project() {
 
 GasStepReport GasSolver::simple() {
   GasStepReport report;
-  for (report.iterations = 1; report.iterations <= maxIterations_; ++report.iterations) {
+  for (std::int64_t iteration = 0; iteration < maxIterations_; ++iteration) {
     momentum_.assemble(fields_, exchange_);
     const double momentumResidual = momentum_.residual(fields_);
     momentum_.relax(fields_, relaxVelocity);
@@ -131,7 +131,6 @@ GasStepReport GasSolver::simple() {
     correct(relaxPressure);
     if (momentumResidual < tolerance_ && massResidual < tolerance_) return report;
   }
-  report.iterations = maxIterations_;
   report.converged = false;
   return report;
 }

@@ -14,9 +14,8 @@ namespace bedmix {
 
 /// How one gas step went.
 struct GasStepReport {
-  bool solved = true;     // false: the equations are no longer finite
-  bool converged = true;  // false: the outer loop met its limit (SIMPLE)
-  std::int64_t iterations = 1;
+  bool solved = true;         // false: the equations are no longer finite
+  bool converged = true;      // false: the outer loop met its limit (SIMPLE)
   double massResidual = 0.0;  // largest |imbalance| of a cell over the total inflow
 };
 
