@@ -81,11 +81,13 @@ class Report {
 
   void gas(const GasSettings& settings) {
     const GasGrid grid = makeGasGrid(scene_);
-    double fastest = 0.0, smallest = lowestCellHeight(grid);
+    const double smallest = smallestCellHeight(grid);
+    double fastest = 0.0;
     for (const Inlet& inlet : settings.inlets) fastest = std::max(fastest, inletVelocity(scene_, inlet));
     const double umf = minimumFluidizationVelocity(scene_);
     add("gas step", settings.step, "s", fmt::format("{} particle steps", stepsPerGasStep(scene_)));
-    add("drag relaxation", umf / scene_.gravity, "s", "u_mf/g, of a particle in the packed bed");
+    if (umf > 0.0 && scene_.gravity > 0.0)
+      add("drag relaxation", umf / scene_.gravity, "s", "u_mf/g, of a particle in the packed bed");
     if (fastest > 0.0) {
       const double courant = fastest * settings.step / smallest;
       add("gas Courant number", courant, "",
@@ -93,12 +95,16 @@ class Report {
                         : "at the fastest inlet; stable below 1");
     }
     section_ = "gas";
-    add("u_mf", umf, "m/s", settings.minimumFluidizationVelocity ? "given" : "Wen & Yu (1966)");
+    if (umf > 0.0)
+      add("u_mf", umf, "m/s", settings.minimumFluidizationVelocity ? "given" : "Wen & Yu (1966)");
+    else
+      add("u_mf", "none", "", "these particles do not sink in the gas");
     for (std::size_t i = 0; i < settings.inlets.size(); ++i) {
       const Inlet& inlet = settings.inlets[i];
       const double u = inletVelocity(scene_, inlet);
       add(fmt::format("inlet {}", i), u, "m/s",
-          fmt::format("{:.3g} u_mf from x = {:g} to {:g} m", u / umf, inlet.from, inlet.to));
+          fmt::format("{}from x = {:g} to {:g} m", umf > 0.0 ? fmt::format("{:.3g} u_mf ", u / umf) : "",
+                      inlet.from, inlet.to));
     }
     const auto blocked =
         std::count_if(grid.lowestRow.begin(), grid.lowestRow.end(), [](int r) { return r > 0; });
@@ -106,8 +112,8 @@ class Report {
         blocked > 0 ? fmt::format("{} columns partly blocked by the distributor", blocked) : "none blocked");
   }
 
-  static double lowestCellHeight(const GasGrid& grid) {
-    double smallest = grid.y[1] - grid.y[0];
+  static double smallestCellHeight(const GasGrid& grid) {
+    double smallest = grid.dy(0);
     for (int r = 1; r < grid.rows; ++r) smallest = std::min(smallest, grid.dy(r));
     return smallest;
   }

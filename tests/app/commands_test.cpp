@@ -47,6 +47,17 @@ TEST_F(Commands, CheckSaysWhatThePaperSays) {
   EXPECT_NEAR(report["gas"]["inlet 1"]["value"], 2.579, 1e-3);
 }
 
+TEST_F(Commands, CheckOfABedWithoutGravityHasNoUndefinedNumbers) {
+  std::string text = readFile(BEDMIX_SOURCE_DIR "/assets/scenes/tiny.toml");
+  const std::string inlet = "velocity_umf = 2.0";
+  text.replace(text.find(inlet), inlet.size(), "velocity = 2.0");
+  writeFile(folder / "free.toml", "gravity = 0.0\n" + text);
+  const Outcome o = bedmix({"check", "free.toml", "--json"});
+  ASSERT_EQ(o.exitCode, 0) << o.err;
+  EXPECT_FALSE(contains(o.out, "null")) << o.out;
+  EXPECT_EQ(nlohmann::json::parse(o.out)["gas"]["u_mf"]["value"], "none");
+}
+
 TEST_F(Commands, ResolvedSceneIsItsOwnResolution) {
   const Outcome once = bedmix({"check", "tiny", "--resolved"});
   ASSERT_EQ(once.exitCode, 0) << once.err;
