@@ -11,6 +11,7 @@
 #include <CLI/CLI.hpp>
 #include <fmt/core.h>
 
+#include <functional>
 #include <memory>
 #include <optional>
 
@@ -29,6 +30,20 @@ struct RenderOptions {
   PictureOptions picture;
 };
 
+/// Hands on the selected frames of a run, saying how far it has come; the first trouble ends it.
+Result<Done> forFrames(TrajectoryReader& reader, const std::vector<std::size_t>& selected,
+                       const Console& console, const std::function<Result<Done>(const Frame&)>& use) {
+  Progress progress(console, reader.times()[selected.back()]);
+  for (const std::size_t index : selected) {
+    const auto frame = reader.frame(index);
+    if (!frame) return frame.problems;
+    auto used = use(**frame);
+    if (!used) return used;
+    progress.accept(**frame);
+  }
+  return Done{};
+}
+
 ExitCode renderFilm(const RenderOptions& options, TrajectoryReader& reader,
                     const std::vector<std::size_t>& selected, const PaintOptions& paint,
                     const Console& console) {
@@ -36,15 +51,11 @@ ExitCode renderFilm(const RenderOptions& options, TrajectoryReader& reader,
                    reader.times()[selected.back()]};
   auto sink = FilmSink::create(reader.scene(), options.output, film);
   if (!sink) return console.fail(sink.problems);
-  {
-    Progress progress(console, reader.times()[selected.back()]);
-    for (const std::size_t index : selected) {
-      const auto frame = reader.frame(index);
-      if (!frame) return console.fail(frame.problems);
-      sink->accept(**frame);
-      progress.accept(**frame);
-    }
-  }
+  const auto shown = forFrames(reader, selected, console, [&](const Frame& frame) -> Result<Done> {
+    sink->accept(frame);
+    return Done{};
+  });
+  if (!shown) return console.fail(shown.problems);
   const auto finished = sink->finish();
   if (!finished) return console.fail(finished.problems);
   console.say(fmt::format("{}: {} pictures at {:g} a second", options.output, sink->pictures(), options.fps));
@@ -61,17 +72,15 @@ ExitCode renderFolder(const RenderOptions& options, TrajectoryReader& reader,
   if (error)
     return console.fail(options.output, "cannot make this folder: " + error.message(), Trouble::file);
   Image image;
-  Progress progress(console, reader.times()[selected.back()]);
-  for (std::size_t n = 0; n < selected.size(); ++n) {
-    const auto frame = reader.frame(selected[n]);
-    if (!frame) return console.fail(frame.problems);
-    const auto painted = painter->paint(**frame, image);
-    if (!painted) return console.fail(painted.problems);
-    const fs::path file = fs::path(options.output) / fmt::format("frame_{:06}.png", n);
-    const auto written = writePng(file, image, {.text = pngText(reader.scene(), **frame), .dpi = {}});
-    if (!written) return console.fail(written.problems);
-    progress.accept(**frame);
-  }
+  int n = 0;
+  const auto drawn = forFrames(reader, selected, console, [&](const Frame& frame) -> Result<Done> {
+    auto painted = painter->paint(frame, image);
+    if (!painted) return painted;
+    const fs::path file = fs::path(options.output) / fmt::format("frame_{:06}.png", n++);
+    return writePng(file, image, {.text = pngText(reader.scene(), frame), .dpi = {}});
+  });
+  if (!drawn) return console.fail(drawn.problems);
+  console.say(fmt::format("{}: {} pictures", options.output, n));
   return ExitCode::done;
 }
 

@@ -3,6 +3,7 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 
@@ -21,7 +22,7 @@ std::string clockText(double seconds) {
   return h > 0 ? fmt::format("{}:{:02}:{:02}", h, m, s) : fmt::format("{}:{:02}", m, s);
 }
 
-Progress::Progress(const Console& console, double duration) : console_(console), duration_(duration) {}
+Progress::Progress(const Console& console, double end) : console_(console), end_(end) {}
 
 Progress::~Progress() {
   if (lineOpen_) std::fputc('\n', stderr);
@@ -34,18 +35,18 @@ void Progress::accept(const Frame& frame) {
     firstTime_ = frame.time;
     start_ = now;
   }
-  const bool atEnd = frame.time >= duration_ * (1.0 - 1e-9);
+  const bool atEnd = frame.time >= end_ * (1.0 - 1e-9);
   if (console_.isTerminal() ? now - shown_ < refresh && !atEnd : frame.time < nextLine_ && !atEnd) return;
   shown_ = now;
-  nextLine_ = frame.time + 0.1 * duration_;
+  nextLine_ = frame.time + 0.1 * (end_ - firstTime_);
 
   const double wall = std::chrono::duration<double>(now - start_).count();
   const double speed = wall > 0.0 ? (frame.time - firstTime_) / wall : 0.0;
-  const double part = duration_ > 0.0 ? std::min(1.0, frame.time / duration_) : 1.0;
-  std::string text = fmt::format("{:8.3f} s of {:g} s", frame.time, duration_);
+  const double span = end_ - firstTime_;
+  const double part = span > 0.0 ? std::min(1.0, (frame.time - firstTime_) / span) : 1.0;
+  std::string text = fmt::format("{:8.3f} s of {:g} s", frame.time, end_);
   if (speed > 0.0)
-    text +=
-        fmt::format(", {:.3g} simulated s/s, {} left", speed, clockText((duration_ - frame.time) / speed));
+    text += fmt::format(", {:.3g} simulated s/s, {} left", speed, clockText((end_ - frame.time) / speed));
   if (!console_.isTerminal()) return console_.say(text);
   const auto filled = static_cast<int>(part * barWidth);
   fmt::print(stderr, "\r\033[K[{:#<{}}{:.<{}}] {}", "", filled, "", barWidth - filled, text);

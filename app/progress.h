@@ -9,11 +9,11 @@
 
 namespace bedmix {
 
-/// Says how far a run has come: simulated time, speed (simulated s per wall s), time left. One line that is
-/// rewritten on a terminal, else a line every tenth of the run.
+/// Says how far frames have come from the first one to `end`: simulated time, speed (simulated s per wall s),
+/// time left. One line that is rewritten on a terminal, else a line every tenth of the run.
 class Progress final : public FrameSink {
  public:
-  Progress(const Console& console, double duration);  // s, simulated
+  Progress(const Console& console, double end);  // s, simulated
   ~Progress() override;
 
   void accept(const Frame& frame) override;
@@ -22,7 +22,7 @@ class Progress final : public FrameSink {
   using Clock = std::chrono::steady_clock;
 
   const Console& console_;
-  double duration_;
+  double end_;
   Clock::time_point start_, shown_;
   double firstTime_ = -1.0;
   double nextLine_ = 0.0;  // simulated s at which the next plain line is due
