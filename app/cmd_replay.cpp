@@ -9,7 +9,7 @@
 #include "replay/trajectory_reader.h"
 
 #include <CLI/CLI.hpp>
-#include <fmt/core.h>
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include <memory>
@@ -108,9 +108,11 @@ void addReplayCommand(CLI::App& program, CommandContext context) {
       ->type_name("CxR");
   command->add_option("--min-particles", options->minParticles, "Cells with fewer particles are not used")
       ->type_name("N");
+  std::vector<std::string_view> rules;
+  for (const ModelInfo& rule : modelTable<TracerRule>) rules.push_back(rule.name);
   command
       ->add_option("--tracer", options->tracer,
-                   "Tag the particles anew: left-half, right-half, lower-half, upper-half")
+                   fmt::format("Tag the particles anew: {}", fmt::join(rules, ", ")))
       ->type_name("RULE");
   addFrameSelection(*command, options->frames);
   command->add_flag("--json", options->json, "Print what was done as JSON");
