@@ -3,8 +3,8 @@
 
 namespace bedmix {
 
-/// From now on the first SIGINT or SIGTERM is noted, for stopRequested(); the next one ends the program at
-/// once.
+/// From now on the first SIGINT and the first SIGTERM are noted, for stopRequested(); the second of a kind
+/// ends the program at once.
 void catchInterrupts();
 
 /// Whether a SIGINT or SIGTERM has come.

@@ -7,8 +7,7 @@
 #include <string_view>
 
 // The one description of every key a scene may hold: name, unit, range, meaning. The reader, the writer,
-// --help, the panels and the file attributes are all driven by it: a visitor is called once per key, in the
-// order of the file.
+// --help and summary.json are all driven by it: a visitor is called once per key, in the order of the file.
 
 namespace bedmix {
 
