@@ -78,7 +78,7 @@ class TableReader {
 
   /// A near miss here first, then a key of this name elsewhere in the scene.
   std::string whatWasMeant(const std::string& name) const {
-    if (const std::string meant = didYouMean(name, known_); !meant.empty()) return meant;
+    if (std::string meant = didYouMean(name, known_); !meant.empty()) return meant;
     for (const SceneKey& key : sceneKeys()) {
       if (key.key.name != name) continue;
       if (key.type == "table") return fmt::format("; did you mean [{}]?", key.path);
