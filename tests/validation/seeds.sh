@@ -23,17 +23,21 @@ describe() {
     file == 1 && $3 != "" { if (t == "" && $3 >= 0.9) t = $1; if ($1 >= 5) { n++; sum += $3; if ($3 > max) max = $3 } }
     file == 1 { rows++; counted += $8; if ($8 > most) most = $8 }
     file == 2 { fluxes++; flux += $2 }
-    END { print t, sum / n, max, flux / fluxes, counted / rows, most }' "$1/mixing.csv" "$1/flux.csv"
+    END { print (t == "" ? "never" : t), sum / n, max, flux / fluxes, counted / rows, most }' "$1/mixing.csv" "$1/flux.csv"
 }
 
 echo "| scene | runs | t(A >= 0.9), s | mean A, 5-10 s | largest A | mean flux, kg/(m2 s) | counted | largest counted |"
 echo "| --- | --- | --- | --- | --- | --- | --- | --- |"
 for scene in $scenes; do
   for seed in $seeds; do describe "$out/$scene-$seed"; done | awk -v scene="$scene" '
-    { for (k = 1; k <= NF; k++) { v = $k + 0; sum[k] += v
-        if (NR == 1 || v < low[k]) low[k] = v
-        if (NR == 1 || v > high[k]) high[k] = v } }
+    { for (k = 1; k <= NF; k++) if ($k != "never") { v = $k + 0; sum[k] += v; n[k]++
+        if (n[k] == 1 || v < low[k]) low[k] = v
+        if (n[k] == 1 || v > high[k]) high[k] = v } }
     END { split("%.2f %.3f %.2f %.1f %.3f %.3f", form, " "); printf "| %s | %d |", scene, NR
-      for (k = 1; k <= 6; k++) printf " " form[k] " (" form[k] " to " form[k] ") |", sum[k] / NR, low[k], high[k]
+      for (k = 1; k <= 6; k++) {
+        if (n[k]) printf " " form[k] " (" form[k] " to " form[k] ")", sum[k] / n[k], low[k], high[k]
+        if (n[k] < NR) printf " never in %d", NR - n[k]
+        printf " |"
+      }
       print "" }'
 done
