@@ -82,6 +82,14 @@ double GasSolver::imbalance(std::vector<double>& b) const {
   return inflow_ > 0.0 ? largest / inflow_ : largest;
 }
 
+bool GasSolver::preparePressure() {
+  for (std::size_t k = 0; k < layout_.volumes.size(); ++k) {
+    const MomentumVolume& v = layout_.volumes[k];
+    coefficient_[k] = fields_.faceVoidage[v.face] * v.area * momentum_.mobility(k);
+  }
+  return pressureSolver_.prepare(coefficient_);
+}
+
 void GasSolver::correct(double pressureShare) {
   pressureSolver_.solve(imbalance_, correction_);
   for (std::size_t k = 0; k < layout_.volumes.size(); ++k) {
@@ -96,11 +104,7 @@ void GasSolver::correct(double pressureShare) {
 GasStepReport GasSolver::project() {
   momentum_.assemble(fields_, exchange_);
   momentum_.solve(fields_);
-  for (std::size_t k = 0; k < layout_.volumes.size(); ++k) {
-    const MomentumVolume& v = layout_.volumes[k];
-    coefficient_[k] = fields_.faceVoidage[v.face] * v.area * momentum_.mobility(k);
-  }
-  if (!pressureSolver_.prepare(coefficient_)) return {.solved = false};
+  if (!preparePressure()) return {.solved = false};
   imbalance(imbalance_);
   correct(1.0);
   // PISO's second corrector: what the first one changed in the neighbours.
@@ -113,26 +117,17 @@ GasStepReport GasSolver::project() {
 }
 
 GasStepReport GasSolver::simple() {
-  GasStepReport report;
   for (std::int64_t iteration = 0; iteration < maxIterations_; ++iteration) {
     momentum_.assemble(fields_, exchange_);
     const double momentumResidual = momentum_.residual(fields_);
     momentum_.relax(fields_, relaxVelocity);
     momentum_.solve(fields_);
-    for (std::size_t k = 0; k < layout_.volumes.size(); ++k) {
-      const MomentumVolume& v = layout_.volumes[k];
-      coefficient_[k] = fields_.faceVoidage[v.face] * v.area * momentum_.mobility(k);
-    }
-    if (!pressureSolver_.prepare(coefficient_)) {
-      report.solved = false;
-      return report;
-    }
+    if (!preparePressure()) return {.solved = false};
     const double massResidual = imbalance(imbalance_);
     correct(relaxPressure);
-    if (momentumResidual < tolerance_ && massResidual < tolerance_) return report;
+    if (momentumResidual < tolerance_ && massResidual < tolerance_) return {};
   }
-  report.converged = false;
-  return report;
+  return {.converged = false};
 }
 
 }  // namespace bedmix

@@ -47,6 +47,8 @@ class GasSolver {
   void setInflow();
   /// b of the pressure correction: minus each cell's imbalance, m3/s. Returns the largest over the inflow.
   double imbalance(std::vector<double>& b) const;
+  /// Hands the assembled momentum's mobilities to the pressure solver; false where they are not finite.
+  [[nodiscard]] bool preparePressure();
   /// Solves for a pressure correction that closes continuity and applies it to the velocities, and
   /// `pressureShare` of it to the pressure.
   void correct(double pressureShare);

@@ -58,15 +58,9 @@ TEST(Coupled, NoneOneOrTwoParticles) {
 }
 
 /// A low bed that strong gas lifts to the top at once.
-Scene lowScene(BedTop top) {
-  Scene scene = test::paperScene(6.0);
-  scene.bed.width = 0.048;
-  scene.bed.height = 0.12;
+Scene liftedScene(BedTop top) {
+  Scene scene = test::lowScene(100, 6.0);
   scene.bed.top = top;
-  scene.particles.count = 100;
-  scene.gas->grid.columns = {{4, 0.012}};
-  scene.gas->grid.rows = {{10, 0.012}};
-  scene.gas->inlets = {{0.0, 0.048, 6.0, std::nullopt}};
   scene.limits.maxOverlap = 0.3;
   return scene;
 }
@@ -76,7 +70,7 @@ std::int64_t above(const Frame& frame, double height) {
 }
 
 TEST(Coupled, OpenTopLetsParticlesRiseAndFallBack) {
-  Simulation simulation = test::simulate(lowScene(BedTop::open));
+  Simulation simulation = test::simulate(liftedScene(BedTop::open));
   std::int64_t risen = 0;
   for (int k = 0; k < 40; ++k) {
     ASSERT_EQ(simulation.advance(1000), std::nullopt);
@@ -91,7 +85,7 @@ TEST(Coupled, OpenTopLetsParticlesRiseAndFallBack) {
 }
 
 TEST(Coupled, LidHoldsParticlesAndLetsGasThrough) {
-  Simulation simulation = test::simulate(lowScene(BedTop::lid));
+  Simulation simulation = test::simulate(liftedScene(BedTop::lid));
   for (int k = 0; k < 40; ++k) {
     ASSERT_EQ(simulation.advance(1000), std::nullopt);
     ASSERT_EQ(above(*simulation.frame(), 0.12), 0);

@@ -10,13 +10,7 @@ namespace {
 
 /// Sixty particles in a gas that lifts them: quick, with every stage in it.
 Scene smallScene() {
-  Scene scene = test::paperScene(2.6);
-  scene.bed.width = 0.048;
-  scene.bed.height = 0.12;
-  scene.particles.count = 60;
-  scene.gas->grid.columns = {{4, 0.012}};
-  scene.gas->grid.rows = {{10, 0.012}};
-  scene.gas->inlets = {{0.0, 0.048, 2.6, std::nullopt}};
+  Scene scene = test::lowScene(60, 2.6);
   scene.time.duration = 0.05;
   return scene;
 }

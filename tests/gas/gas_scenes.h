@@ -22,6 +22,18 @@ inline Scene paperScene(double superficialVelocity) {
   return scene;
 }
 
+/// A bed of half the width and 120 mm height: quick, with everything in it.
+inline Scene lowScene(std::int64_t particles, double superficialVelocity) {
+  Scene scene = paperScene(superficialVelocity);
+  scene.bed.width = 0.048;
+  scene.bed.height = 0.12;
+  scene.particles.count = particles;
+  scene.gas->grid.columns = {{4, 0.012}};
+  scene.gas->grid.rows = {{10, 0.012}};
+  scene.gas->inlets = {{0.0, 0.048, superficialVelocity, std::nullopt}};
+  return scene;
+}
+
 /// The same as case B of Tian et al. (2007): a stair of blocked cells, two inlets at the side walls.
 inline Scene inclinedScene() {
   Scene scene = paperScene(0.0);
