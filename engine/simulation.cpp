@@ -41,14 +41,14 @@ class StageClock {
 
 /// The gas and all that ties it to the particles. One allocation, since its parts point at each other.
 struct CoupledGas {
-  ThreadTeam team;
   GasSolver solver;
   VoidageField voidage;
   Exchange exchange;
 
-  CoupledGas(const Scene& scene, const Particles& particles, int threads)
-      : team(threads), solver(scene), voidage(scene, solver.grid()), exchange(scene, solver, voidage, team) {
-    voidage.update(particles.x, particles.y);
+  CoupledGas(const Scene& scene, Particles& particles, ThreadTeam& team)
+      : solver(scene, team), voidage(scene, solver.grid(), team), exchange(scene, solver, voidage, team) {
+    particles.addExternalForces();
+    voidage.update(particles.position);
     solver.startWith(voidage.voidage());
   }
 };
@@ -71,6 +71,7 @@ GasFrame gasFrame(const GasSolver& gas) {
 
 struct Simulation::State {
   Scene scene;
+  std::unique_ptr<ThreadTeam> team;
   std::unique_ptr<ParticleSolver> solver;
   std::unique_ptr<CoupledGas> gas;
   std::vector<std::uint8_t> species;
@@ -84,9 +85,9 @@ struct Simulation::State {
 };
 
 std::optional<std::string> Simulation::State::gasStep() {
-  const Particles& particles = solver->particles();
+  Particles& particles = solver->particles();
   StageClock clock(seconds);
-  gas->voidage.update(particles.x, particles.y);
+  gas->voidage.update(particles.position);
   report.aboveGridLargest = std::max(report.aboveGridLargest, gas->voidage.aboveGrid());
   const double lowest = gas->voidage.lowest();
   clock.lap(Stage::voidage);
@@ -107,7 +108,7 @@ std::optional<std::string> Simulation::State::gasStep() {
     return fmt::format("the gas has no finite solution at t = {:.6g} s; use a smaller gas.step",
                        timeOfStep(scene, step));
 
-  gas->exchange.applyForces(solver->particles());
+  gas->exchange.applyForces(particles);
   clock.lap(Stage::drag);
   return std::nullopt;
 }
@@ -134,22 +135,22 @@ std::optional<std::string> Simulation::State::particleSteps(std::int64_t n) {
 }
 
 Result<Simulation> Simulation::make(const Scene& scene, int threads) {
-  Result<Particles> start = packBed(scene);
+  auto team = std::make_unique<ThreadTeam>(threads);
+  Result<Particles> start = packBed(scene, *team);
   if (!start) return start.problems;
-  return Simulation(scene, std::move(*start), threads);
+  return Simulation(scene, std::move(*start), std::move(team));
 }
 
-Simulation::Simulation(const Scene& scene, Particles start, int threads) : state_(std::make_unique<State>()) {
+Simulation::Simulation(const Scene& scene, Particles start, std::unique_ptr<ThreadTeam> team)
+    : state_(std::make_unique<State>()) {
   State& s = *state_;
   s.scene = scene;
-  s.solver = ParticleSolver::make(scene, std::move(start), bedWalls(scene));
-  const Particles& particles = s.solver->particles();
-  if (scene.gas) s.gas = std::make_unique<CoupledGas>(scene, particles, threads);
+  s.team = std::move(team);
+  s.id = start.id;
   std::vector<Vec2f> position;
-  for (std::size_t i = 0; i < particles.size(); ++i) {
-    position.push_back(toFloat({particles.x[i], particles.y[i]}));
-    s.id.push_back(static_cast<std::int32_t>(i));
-  }
+  for (const Vec2 at : start.position) position.push_back(toFloat(at));
+  s.solver = ParticleSolver::make(scene, std::move(start), bedWalls(scene), *s.team);
+  if (scene.gas) s.gas = std::make_unique<CoupledGas>(scene, s.solver->particles(), *s.team);
   s.species = tagTracer(scene.tracer.rule, position, scene.bed.width);
 }
 
@@ -191,11 +192,14 @@ FramePtr Simulation::frame() const {
   frame->time = time();
   frame->species = s.species;
   frame->id = s.id;
+  frame->position.resize(p.size());
+  frame->velocity.resize(p.size());
+  frame->angularVelocity.resize(p.spin.size());
   for (std::size_t i = 0; i < p.size(); ++i) {
-    frame->position.push_back(toFloat({p.x[i], p.y[i]}));
-    frame->velocity.push_back(toFloat({p.vx[i], p.vy[i]}));
+    frame->position[p.id[i]] = toFloat(p.position[i]);
+    frame->velocity[p.id[i]] = toFloat(p.velocity[i]);
+    if (!p.spin.empty()) frame->angularVelocity[p.id[i]] = static_cast<float>(p.spin[i]);
   }
-  for (double w : p.spin) frame->angularVelocity.push_back(static_cast<float>(w));
   if (s.gas) frame->gas = gasFrame(s.gas->solver);
   return frame;
 }

@@ -15,6 +15,7 @@
 
 namespace bedmix {
 
+class ThreadTeam;
 struct Particles;
 
 /// The stages of a step, in their order; one timer each.
@@ -62,7 +63,7 @@ class Simulation {
   const StepReport& report() const;
 
  private:
-  Simulation(const Scene& scene, Particles start, int threads);
+  Simulation(const Scene& scene, Particles start, std::unique_ptr<ThreadTeam> team);
   struct State;
   std::unique_ptr<State> state_;
 };

@@ -1,32 +1,45 @@
 // SPDX-License-Identifier: MIT
 #include "engine/core/thread_team.h"
 
-#include <algorithm>
+#if defined(__x86_64__)
+#include <immintrin.h>
+#endif
 
 namespace bedmix {
 
 namespace {
 
-constexpr std::size_t blockSize =
-    256;  // particles; some 10 us of drag, well above the cost of taking a block
-/// Items below which waking the helpers costs more than they save: measured on the drag of a 1,000-particle
-/// bed, which two threads made slower, and of 20,000, which they made faster.
-constexpr std::size_t worthSharing = 8192;
-constexpr int spins = 20000;  // some 50 us: longer than the pause between two loops of a small bed
+/// Busy looks before a member goes to sleep: some 100 us, longer than what one of them does alone between two
+/// loops of a small bed. Waking a sleeper takes as long.
+constexpr int longSpins = 3000;
 
-/// Waits until `value` is no longer `old`: at first busily, since loops follow each other closely, then
-/// asleep.
-template <class T>
-void waitWhile(const std::atomic<T>& value, T old) {
-  for (int i = 0; i < spins; ++i)
+void pause() {
+#if defined(__x86_64__)
+  _mm_pause();
+#endif
+}
+
+void waitWhile(const std::atomic<std::uint32_t>& value, std::uint32_t old, int spins) {
+  for (int i = 0; i < spins; ++i) {
     if (value.load(std::memory_order_acquire) != old) return;
+    pause();
+  }
   value.wait(old, std::memory_order_acquire);
 }
 
 }  // namespace
 
+ThreadTeam& oneThread() {
+  static ThreadTeam team(1);
+  return team;
+}
+
 ThreadTeam::ThreadTeam(int threads) {
-  for (int i = 1; i < threads; ++i) helpers_.emplace_back([this] { work(); });
+  // Where cores are fewer than members, whoever spins keeps the others from working.
+  const bool crowded = threads > static_cast<int>(std::thread::hardware_concurrency());
+  spins_ = crowded ? 0 : longSpins;
+  absent_ = threads;
+  for (int member = 1; member < threads; ++member) helpers_.emplace_back([this, member] { work(member); });
 }
 
 ThreadTeam::~ThreadTeam() {
@@ -35,39 +48,32 @@ ThreadTeam::~ThreadTeam() {
   round_.notify_all();
 }
 
-void ThreadTeam::takeBlocks() {
-  for (;;) {
-    const std::size_t begin = next_.fetch_add(blockSize, std::memory_order_relaxed);
-    if (begin >= n_) return;
-    (*body_)(begin, std::min(begin + blockSize, n_));
-  }
-}
-
-void ThreadTeam::work() {
-  for (std::uint64_t seen = 0;;) {
-    waitWhile(round_, seen);
+void ThreadTeam::work(int member) {
+  for (std::uint32_t seen = 0;;) {
+    waitWhile(round_, seen, spins_);
     ++seen;
     if (quit_) return;
-    takeBlocks();
-    if (busy_.fetch_sub(1, std::memory_order_release) == 1) busy_.notify_one();
+    call_(body_, member);
+    meet();
   }
 }
 
-void ThreadTeam::forBlocks(std::size_t n, const std::function<void(std::size_t, std::size_t)>& body) {
-  if (helpers_.empty() || n < worthSharing) {
-    if (n > 0) body(0, n);
-    return;
-  }
-  n_ = n;
-  body_ = &body;
-  next_.store(0, std::memory_order_relaxed);
-  busy_.store(static_cast<int>(helpers_.size()), std::memory_order_relaxed);
+void ThreadTeam::runTogether() {
   round_.fetch_add(1, std::memory_order_release);
   round_.notify_all();
-  takeBlocks();
-  for (int left = busy_.load(std::memory_order_acquire); left != 0;
-       left = busy_.load(std::memory_order_acquire))
-    waitWhile(busy_, left);
+  call_(body_, 0);
+  meet();
+}
+
+void ThreadTeam::meet() {
+  const std::uint32_t now = meeting_.load(std::memory_order_acquire);
+  if (absent_.fetch_sub(1, std::memory_order_acq_rel) == 1) {
+    absent_.store(size(), std::memory_order_relaxed);
+    meeting_.fetch_add(1, std::memory_order_release);
+    meeting_.notify_all();
+  } else {
+    waitWhile(meeting_, now, spins_);
+  }
 }
 
 }  // namespace bedmix

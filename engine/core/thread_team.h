@@ -4,38 +4,77 @@
 #include <atomic>
 #include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <thread>
+#include <type_traits>
 #include <vector>
 
 namespace bedmix {
 
-/// A few threads that share loops whose items do not depend on each other. Blocks have a fixed size, never
-/// one derived from the number of threads, and whoever is free takes the next, so results cannot depend on
-/// that number.
+/// Part [begin, end) of a loop.
+struct Range {
+  std::size_t begin = 0, end = 0;
+  std::size_t size() const { return end - begin; }
+};
+
+/// A few threads that work through the same code together. What they share out must not depend on how many
+/// they are: blocks are cut by the size of the data, and sums over blocks are taken in the blocks' order.
 class ThreadTeam {
  public:
-  /// `threads` >= 1 counts the calling thread; with 1 nothing is started and loops run in place.
+  /// `threads` >= 1 counts the calling thread; with 1 nothing is started and everything runs in place.
   explicit ThreadTeam(int threads);
   ~ThreadTeam();
   ThreadTeam(const ThreadTeam&) = delete;
   ThreadTeam& operator=(const ThreadTeam&) = delete;
 
-  /// Calls body(begin, end) for consecutive blocks that cover [0, n), and returns when all are done. `body`
-  /// must not throw. From one thread at a time.
-  void forBlocks(std::size_t n, const std::function<void(std::size_t begin, std::size_t end)>& body);
+  int size() const { return static_cast<int>(helpers_.size()) + 1; }
+
+  /// Every member calls body(member), 0 <= member < size(), the caller as member 0; returns when all are
+  /// done. `body` must not throw. From one thread at a time, and not within run().
+  template <class Body>
+  void run(Body&& body) {
+    if (helpers_.empty()) return body(0);
+    using Plain = std::remove_reference_t<Body>;
+    call_ = [](void* b, int member) { (*static_cast<Plain*>(b))(member); };
+    body_ = const_cast<void*>(static_cast<const void*>(&body));
+    runTogether();
+  }
+
+  /// Within run(): waits until every member has come here. What members wrote before, all see after.
+  void barrier() {
+    if (!helpers_.empty()) meet();
+  }
+
+  /// A member's part of `n` items, next to those of the members beside it.
+  Range share(std::size_t n, int member) const {
+    const auto m = static_cast<std::size_t>(member), all = static_cast<std::size_t>(size());
+    return {n * m / all, n * (m + 1) / all};
+  }
+
+  /// Calls body(item) for all items below `n`, whose work must not depend on each other's. Not within run().
+  template <class Body>
+  void forEach(std::size_t n, Body&& body) {
+    run([&](int member) {
+      const Range mine = share(n, member);
+      for (std::size_t i = mine.begin; i < mine.end; ++i) body(i);
+    });
+  }
 
  private:
-  void work();
-  void takeBlocks();
+  void runTogether();
+  void meet();
+  void work(int member);
 
-  std::atomic<std::uint64_t> round_{0};  // moves when a loop begins
-  std::atomic<std::size_t> next_{0};     // first item nobody has taken
-  std::atomic<int> busy_{0};             // helpers that have not finished the loop
+  int spins_ = 0;
+  std::atomic<std::uint32_t> round_{0};    // moves when run() begins
+  std::atomic<std::uint32_t> meeting_{0};  // moves when all have met
+  std::atomic<int> absent_{0};             // members that have not come to the meeting
   std::atomic<bool> quit_{false};
-  std::size_t n_ = 0;
-  const std::function<void(std::size_t, std::size_t)>* body_ = nullptr;
+  void (*call_)(void*, int) = nullptr;
+  void* body_ = nullptr;
   std::vector<std::jthread> helpers_;
 };
+
+/// The calling thread alone: for whoever has no team. May be used from several threads at a time.
+ThreadTeam& oneThread();
 
 }  // namespace bedmix

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "engine/dem/contact_history.h"
-#include "engine/dem/contacts.h"
-#include "engine/dem/neighbours.h"
+#include "engine/core/thread_team.h"
+#include "engine/dem/contact_list.h"
 #include "engine/dem/particles.h"
 
 #include <chrono>
+#include <vector>
 
 namespace bedmix {
 
@@ -33,13 +33,27 @@ class LapTimer {
 
 /// What integrators advance.
 struct BedState {
+  BedState(const Scene& scene, Particles start, const std::vector<WallSegment>& walls, ThreadTeam& team);
+
   Particles particles;
-  NeighbourList neighbours;
-  ContactHistory history;
-  ContactLoads loads;  // at the last evaluation
-  double gravity;      // m/s2, downward
-  double step;         // s
+  ContactList contacts;
+  std::vector<Load> loads;  // of contacts, at the last evaluation
+  /// Velocities and spins predicted to the end of the step; a list made anew moves them along.
+  std::vector<Vec2> ahead;
+  std::vector<double> spinAhead;
+  SkinBudget budget;
+  double gravity;  // m/s2, downward
+  double step;     // s
+  ThreadTeam& team;
   DemSeconds seconds;
+
+  /// Sorts the particles in space, for a new contact list; false where not all are at finite places.
+  bool sort();
+
+ private:
+  std::vector<Vec2> spareVectors_;
+  std::vector<double> spareNumbers_;
+  std::vector<std::int32_t> spareIds_;
 };
 
 }  // namespace bedmix

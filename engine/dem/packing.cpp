@@ -18,12 +18,12 @@ namespace {
 
 constexpr double siteOverDiameter = 1.25;
 constexpr double sitesPerParticle = 1.1;
-constexpr double leastSite = 1.01;        // of a diameter
-constexpr double restSpeed = 1e-3;        // m/s
-constexpr double restTime = 0.02;         // s
-constexpr double longestFall = 3.0;       // s
-constexpr double viscosity = 10.0;        // 1/s
-constexpr double viscousInterval = 1e-4;  // s, between updates of the viscous force
+constexpr double leastSite = 1.01;   // of a diameter
+constexpr double restSpeed = 1e-3;   // m/s
+constexpr double restTime = 0.02;    // s
+constexpr double longestFall = 3.0;  // s
+constexpr double viscosity = 10.0;   // 1/s
+constexpr double glance = 1e-4;      // s, between looks at whether they rest
 
 /// Square sites side by side over the bed's width, from `bottom` up.
 struct Lattice {
@@ -83,25 +83,23 @@ std::vector<Vec2> scatter(const Scene& scene, const Lattice& lattice) {
 /// Lets the particles fall and come to rest.
 std::optional<DemTrouble> settle(const Scene& scene, ParticleSolver& solver) {
   Particles& p = solver.particles();
-  const std::int64_t steps = std::max<std::int64_t>(1, std::llround(viscousInterval / scene.time.step));
+  p.addExternalForces();
+  std::fill(p.drag.begin(), p.drag.end(), viscosity * p.mass);
+  const std::int64_t steps = std::max<std::int64_t>(1, std::llround(glance / scene.time.step));
   const double interval = static_cast<double>(steps) * scene.time.step;
   double atRest = 0.0;  // s
   for (double time = 0.0; time < longestFall && atRest < restTime; time += interval) {
-    double fastest = 0.0;  // square
-    for (std::size_t i = 0; i < p.size(); ++i) {
-      p.fx[i] = -viscosity * p.mass * p.vx[i];
-      p.fy[i] = -viscosity * p.mass * p.vy[i];
-      fastest = std::max(fastest, p.vx[i] * p.vx[i] + p.vy[i] * p.vy[i]);
-    }
-    atRest = fastest < restSpeed * restSpeed ? atRest + interval : 0.0;
     if (const auto trouble = solver.advance(steps)) return trouble;
+    double fastest = 0.0;  // square
+    for (const Vec2 v : p.velocity) fastest = std::max(fastest, dot(v, v));
+    atRest = fastest < restSpeed * restSpeed ? atRest + interval : 0.0;
   }
   return std::nullopt;
 }
 
 }  // namespace
 
-Result<Particles> packBed(const Scene& scene) {
+Result<Particles> packBed(const Scene& scene, ThreadTeam& team) {
   const std::optional<Lattice> lattice = layLattice(scene);
   if (!lattice)
     return Diagnostic({}, fmt::format("particles.count: {} spheres of {} m do not fit above the floor; take "
@@ -112,16 +110,13 @@ Result<Particles> packBed(const Scene& scene) {
 
   Scene calm = scene;
   calm.time.integrator = Integrator::velocityVerlet;
-  const auto solver = ParticleSolver::make(calm, std::move(start), bedWalls(scene));
+  const auto solver = ParticleSolver::make(calm, std::move(start), bedWalls(scene), team);
   if (const auto trouble = settle(scene, *solver))
     return Diagnostic({}, fmt::format("start: while the bed settled, {} of particle {} became {:.3g} ({}); "
                                       "take a smaller time.step or a larger contacts.stiffness",
                                       trouble->nonFinite ? "a coordinate" : "overlap over diameter",
                                       trouble->particle, trouble->value, trouble->stage));
-  std::vector<Vec2> rest;
-  for (std::size_t i = 0; i < solver->particles().size(); ++i)
-    rest.push_back({solver->particles().x[i], solver->particles().y[i]});
-  return makeParticles(scene, rest);
+  return makeParticles(scene, inOrderOfIds(solver->particles()).position);
 }
 
 }  // namespace bedmix

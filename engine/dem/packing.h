@@ -2,6 +2,7 @@
 #pragma once
 
 #include "engine/core/diagnostic.h"
+#include "engine/core/thread_team.h"
 #include "engine/dem/particles.h"
 
 namespace bedmix {
@@ -16,6 +17,6 @@ namespace bedmix {
 ///
 /// The same seed gives the same bits. Fails where a lid leaves too little room, and where settling breaks the
 /// scene's overlap limit.
-Result<Particles> packBed(const Scene& scene);
+Result<Particles> packBed(const Scene& scene, ThreadTeam& team = oneThread());
 
 }  // namespace bedmix

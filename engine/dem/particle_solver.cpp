@@ -1,22 +1,27 @@
 // SPDX-License-Identifier: MIT
 #include "engine/dem/particle_solver.h"
 
-#include "engine/dem/integrators.h"
+#include "engine/dem/runge_kutta.h"
+#include "engine/dem/verlet.h"
 
+#include <algorithm>
 #include <cmath>
+#include <tuple>
 #include <utility>
 
 namespace bedmix {
 
 namespace {
 
-/// The first value of a bed that is not finite.
+/// The first value of a bed that is not finite, or so large that its square is not.
 std::optional<DemTrouble> findNonFinite(const Particles& p, const char* stage) {
   for (std::size_t i = 0; i < p.size(); ++i) {
-    const auto particle = static_cast<std::int64_t>(i);
-    for (const double force : {p.fx[i], p.fy[i]})
-      if (!std::isfinite(force)) return DemTrouble{particle, force, true, "drag"};
-    for (const double value : {p.x[i], p.y[i], p.vx[i], p.vy[i], p.spin.empty() ? 0.0 : p.spin[i]})
+    const std::int64_t particle = p.id[i];
+    if (!p.external.empty())
+      for (const double force : {p.external[i].x, p.external[i].y, p.drag[i]})
+        if (!std::isfinite(force)) return DemTrouble{particle, force, true, "drag"};
+    for (const double value : {p.position[i].x, p.position[i].y, p.velocity[i].x, p.velocity[i].y,
+                               p.spin.empty() ? 0.0 : p.spin[i], dot(p.velocity[i], p.velocity[i])})
       if (!std::isfinite(value)) return DemTrouble{particle, value, true, stage};
   }
   return std::nullopt;
@@ -25,10 +30,10 @@ std::optional<DemTrouble> findNonFinite(const Particles& p, const char* stage) {
 template <class Integrator>
 class Solver final : public ParticleSolver {
  public:
-  Solver(const Scene& scene, Particles start, const std::vector<WallSegment>& walls)
-      : ParticleSolver(scene, std::move(start), walls),
-        integrator_(scene, bed_.particles.size()),
-        maxOverlap_(scene.limits.maxOverlap) {}
+  Solver(const Scene& scene, Particles start, const std::vector<WallSegment>& walls, ThreadTeam& team)
+      : ParticleSolver(scene, std::move(start), walls, team),
+        integrator_(scene, bed_),
+        maxOverlap_(scene.limits.maxOverlap * scene.particles.diameter) {}
 
   std::optional<DemTrouble> advance(std::int64_t steps) override {
     if (!begun_) {
@@ -36,103 +41,123 @@ class Solver final : public ParticleSolver {
       integrator_.begin(bed_);
       begun_ = true;
     }
-    std::int64_t taken = 0;
-    for (; taken < steps; ++taken) {
-      if (!integrator_.step(bed_)) break;
-      if (largestOverlap() > maxOverlap_)
-        return DemTrouble{largestOverlapParticle(), largestOverlap(), false, "contacts", taken + 1};
-    }
-    std::optional<DemTrouble> trouble = findNonFinite(bed_.particles, "integrate");
-    if (trouble) trouble->steps = taken;
+    const StepOutcome outcome = integrator_.advance(bed_, steps, maxOverlap_);
+    std::optional<DemTrouble> trouble;
+    if (!outcome.finite) trouble = findNonFinite(bed_.particles, "integrate");
+    if (!trouble && steps > 0 && deepestOverlap(bed_) > maxOverlap_)
+      trouble = DemTrouble{largestOverlapParticle(), largestOverlap(), false, "contacts"};
+    if (trouble) trouble->steps = outcome.steps;
     return trouble;
   }
 
  private:
   Integrator integrator_;
-  double maxOverlap_;
+  double maxOverlap_;  // m
   bool begun_ = false;
 };
-
-template <bool friction>
-std::unique_ptr<ParticleSolver> makeSolver(const Scene& scene, Particles start,
-                                           const std::vector<WallSegment>& walls) {
-  if (scene.time.integrator == Integrator::rk4)
-    return std::make_unique<Solver<RungeKutta4<friction>>>(scene, std::move(start), walls);
-  return std::make_unique<Solver<VelocityVerlet<friction>>>(scene, std::move(start), walls);
-}
 
 }  // namespace
 
 std::unique_ptr<ParticleSolver> ParticleSolver::make(const Scene& scene, Particles start,
-                                                     const std::vector<WallSegment>& walls) {
-  return scene.contacts.friction ? makeSolver<true>(scene, std::move(start), walls)
-                                 : makeSolver<false>(scene, std::move(start), walls);
+                                                     const std::vector<WallSegment>& walls,
+                                                     ThreadTeam& team) {
+  if (scene.time.integrator == Integrator::rk4)
+    return std::make_unique<Solver<RungeKutta4>>(scene, std::move(start), walls, team);
+  return std::make_unique<Solver<VelocityVerlet>>(scene, std::move(start), walls, team);
 }
 
-ParticleSolver::ParticleSolver(const Scene& scene, Particles start, const std::vector<WallSegment>& walls)
-    : bed_{.particles = std::move(start),
-           .neighbours = NeighbourList(scene.particles.diameter, walls),
-           .history = {},
-           .loads = {},
-           .gravity = scene.gravity,
-           .step = scene.time.step,
-           .seconds = {}},
-      pairLaw_(pairLaw(scene)),
-      wallLaw_(wallLaw(scene)) {
-  const std::size_t n = bed_.particles.size();
-  bed_.history.reset(0, scene.contacts.friction.has_value());
-  bed_.loads.fx.assign(n, 0.0);
-  bed_.loads.fy.assign(n, 0.0);
-  bed_.loads.torque.assign(bed_.particles.spin.size(), 0.0);
+ParticleSolver::ParticleSolver(const Scene& scene, Particles start, const std::vector<WallSegment>& walls,
+                               ThreadTeam& team)
+    : bed_(scene, std::move(start), walls, team), pairLaw_(pairLaw(scene)), wallLaw_(wallLaw(scene)) {}
+
+std::int64_t ParticleSolver::largestOverlapParticle() const {
+  double deepest = 0.0;
+  std::int64_t particle = -1;
+  for (std::size_t b = 0; b < bed_.contacts.blocks(); ++b) {
+    const ContactBlock& block = bed_.contacts.block(b);
+    if (block.deepest > deepest) particle = block.deepestId;
+    deepest = std::max(deepest, block.deepest);
+  }
+  return particle;
+}
+
+std::int64_t ParticleSolver::contactCount() const {
+  std::size_t touching = 0;
+  for (std::size_t b = 0; b < bed_.contacts.blocks(); ++b) touching += bed_.contacts.block(b).touching;
+  return static_cast<std::int64_t>(touching);
 }
 
 double ParticleSolver::kineticEnergy() const {
   const Particles& p = bed_.particles;
   double energy = 0.0;
-  for (std::size_t i = 0; i < p.size(); ++i) energy += 0.5 * p.mass * (p.vx[i] * p.vx[i] + p.vy[i] * p.vy[i]);
+  for (const Vec2 v : p.velocity) energy += 0.5 * p.mass * dot(v, v);
   for (const double spin : p.spin) energy += 0.5 * p.inertia * spin * spin;
   return energy;
 }
 
 double ParticleSolver::potentialEnergy() const {
   double energy = 0.0;
-  for (const double y : bed_.particles.y) energy += bed_.particles.mass * bed_.gravity * y;
+  for (const Vec2 at : bed_.particles.position) energy += bed_.particles.mass * bed_.gravity * at.y;
   return energy;
 }
 
 double ParticleSolver::elasticEnergy() const {
-  const Particles& p = bed_.particles;
-  const NeighbourList& list = bed_.neighbours;
+  const std::vector<Vec2>& position = bed_.particles.position;
   double energy = 0.0;
   const auto add = [&](const SpringDashpot& law, Vec2 apart) {
     const double depth = law.reach - norm(apart);
     if (depth > 0.0) energy += 0.5 * law.stiffness * depth * depth;
   };
-  for (const auto& [i, j] : list.pairs()) add(pairLaw_, {p.x[j] - p.x[i], p.y[j] - p.y[i]});
-  for (const auto& [i, w] : list.wallPairs()) {
-    const Vec2 centre{p.x[i], p.y[i]};
-    Vec2 point;
-    if (list.walls()[w].touchPoint(centre, point)) add(wallLaw_, point - centre);
+  const auto addSprings = [&](const ContactSlots& slots) {
+    for (const double spring : slots.spring) energy += 0.5 * pairLaw_.tangentialStiffness * spring * spring;
+  };
+  for (std::size_t b = 0; b < bed_.contacts.blocks(); ++b) {
+    const ContactBlock& block = bed_.contacts.block(b);
+    for (const ContactSlots* slots : {&block.near, &block.crossing}) {
+      for (std::size_t c = 0; c < slots->count; ++c)
+        add(pairLaw_, position[slots->second[c]] - position[slots->first[c]]);
+      addSprings(*slots);
+    }
+    for (const ContactBlock::AtWall& w : block.walls) {
+      for (std::size_t c = 0; c < w.slots.count; ++c) {
+        const Vec2 centre = position[w.slots.first[c]];
+        Vec2 point;
+        if (bed_.contacts.walls()[w.wall].touchPoint(centre, point)) add(wallLaw_, point - centre);
+      }
+      addSprings(w.slots);
+    }
   }
-  for (const double spring : bed_.history.spring)
-    energy += 0.5 * pairLaw_.tangentialStiffness * spring * spring;
   return energy;
 }
 
 void ParticleSolver::hashInto(StateHash& hash) const {
-  const Particles& p = bed_.particles;
-  for (const std::vector<double>* values : {&p.x, &p.y, &p.vx, &p.vy, &p.spin}) hash.add(*values);
-  if (!bed_.history.hasSprings) return;
-  const auto addSprings = [&](const std::vector<Candidate>& list, std::span<const std::int32_t> contacts,
-                              std::size_t offset) {
-    for (const std::int32_t k : contacts) {
-      hash.add(static_cast<std::uint64_t>(list[k - offset].first));
-      hash.add(static_cast<std::uint64_t>(list[k - offset].second));
-      hash.add(bed_.history.spring[k]);
+  const Particles p = inOrderOfIds(bed_.particles);
+  for (std::size_t i = 0; i < p.size(); ++i)
+    for (const double value : {p.position[i].x, p.position[i].y, p.velocity[i].x, p.velocity[i].y})
+      hash.add(value);
+  hash.add(p.spin);
+
+  std::vector<std::tuple<std::int64_t, std::int64_t, double>> springs;  // ids, or an id and -1 - wall
+  const auto collect = [&](const ContactSlots& slots, auto&& other) {
+    for (std::size_t c = 0; c < slots.count && !slots.spring.empty(); ++c) {
+      if (slots.spring[c] == 0.0) continue;
+      const std::int64_t a = bed_.particles.id[slots.first[c]], b = other(c);
+      springs.emplace_back(std::max(a, b), std::min(a, b), slots.spring[c]);
     }
   };
-  addSprings(bed_.neighbours.pairs(), bed_.history.pairContacts(), 0);
-  addSprings(bed_.neighbours.wallPairs(), bed_.history.wallContacts(), bed_.neighbours.pairs().size());
+  for (std::size_t b = 0; b < bed_.contacts.blocks(); ++b) {
+    const ContactBlock& block = bed_.contacts.block(b);
+    for (const ContactSlots* slots : {&block.near, &block.crossing})
+      collect(*slots, [&](std::size_t c) { return bed_.particles.id[slots->second[c]]; });
+    for (const ContactBlock::AtWall& w : block.walls)
+      collect(w.slots, [&](std::size_t) { return -1 - static_cast<std::int64_t>(w.wall); });
+  }
+  std::sort(springs.begin(), springs.end());
+  for (const auto& [a, b, spring] : springs) {
+    hash.add(static_cast<std::uint64_t>(a));
+    hash.add(static_cast<std::uint64_t>(b));
+    hash.add(spring);
+  }
 }
 
 }  // namespace bedmix

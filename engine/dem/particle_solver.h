@@ -4,7 +4,8 @@
 #include "engine/core/hash.h"
 #include "engine/core/scene.h"
 #include "engine/core/walls.h"
-#include "engine/dem/bed_state.h"
+#include "engine/dem/contact_law.h"
+#include "engine/dem/integrator.h"
 
 #include <cstdint>
 #include <memory>
@@ -23,29 +24,31 @@ struct DemTrouble {
 };
 
 /// Soft spheres after Tian et al. (2007), Eqs (1) and (5) to (7), advanced in time under gravity, contacts
-/// and whatever Particles::fx, fy hold. Contact law and integrator are composed when the solver is made. Two
-/// solvers of the same start are the same to the bit. One thread at a time.
+/// and external forces. Contact law and integrator are composed when the solver is made. Two solvers of the
+/// same start are the same to the bit, whatever the number of threads.
 class ParticleSolver {
  public:
-  /// `start` may overlap; it is not moved before the first advance().
+  /// `start` may overlap; it is not moved before the first advance(). `team` must outlive the solver.
   static std::unique_ptr<ParticleSolver> make(const Scene& scene, Particles start,
-                                              const std::vector<WallSegment>& walls);
+                                              const std::vector<WallSegment>& walls,
+                                              ThreadTeam& team = oneThread());
   virtual ~ParticleSolver() = default;
 
   /// Takes `steps` steps of the scene's length. Empty when all is well; else the bed must not be advanced
   /// further.
   [[nodiscard]] virtual std::optional<DemTrouble> advance(std::int64_t steps) = 0;
 
-  /// External forces may be changed between calls of advance(), everything else only before the first.
+  /// External forces may be changed between calls of advance(), everything else only before the first. The
+  /// order in memory changes from call to call.
   Particles& particles() { return bed_.particles; }
   const Particles& particles() const { return bed_.particles; }
 
-  /// Deepest contact since the start, of a diameter, and whose it was (-1 without any).
-  double largestOverlap() const { return bed_.loads.deepest.depth / (2.0 * bed_.particles.radius); }
-  std::int64_t largestOverlapParticle() const { return bed_.loads.deepest.particle; }
+  /// Deepest contact since the start, of a diameter, and the id of one whose it was (-1 without any).
+  double largestOverlap() const { return deepestOverlap(bed_) / (2.0 * bed_.particles.radius); }
+  std::int64_t largestOverlapParticle() const;
   /// Touching pairs and wall contacts at the last step.
-  std::int64_t contactCount() const { return static_cast<std::int64_t>(bed_.history.count); }
-  std::int64_t neighbourBuilds() const { return bed_.neighbours.builds(); }
+  std::int64_t contactCount() const;
+  std::int64_t neighbourBuilds() const { return bed_.contacts.builds(); }
   /// Wall seconds since the start.
   const DemSeconds& seconds() const { return bed_.seconds; }
 
@@ -58,7 +61,8 @@ class ParticleSolver {
   void hashInto(StateHash& hash) const;
 
  protected:
-  ParticleSolver(const Scene& scene, Particles start, const std::vector<WallSegment>& walls);
+  ParticleSolver(const Scene& scene, Particles start, const std::vector<WallSegment>& walls,
+                 ThreadTeam& team);
 
   BedState bed_;
 

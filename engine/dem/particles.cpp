@@ -3,8 +3,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace bedmix {
+
+void Particles::addExternalForces() {
+  external.resize(size());
+  drag.resize(size());
+  foreseen = position;
+}
 
 Particles makeParticles(const Scene& scene, const std::vector<Vec2>& positions) {
   const std::size_t n = positions.size();
@@ -12,24 +19,32 @@ Particles makeParticles(const Scene& scene, const std::vector<Vec2>& positions) 
   p.radius = scene.particles.diameter / 2.0;
   p.mass = particleMass(scene);
   p.inertia = 0.4 * p.mass * p.radius * p.radius;
-  p.x.reserve(n);
-  p.y.reserve(n);
-  for (const Vec2& at : positions) {
-    p.x.push_back(at.x);
-    p.y.push_back(at.y);
-  }
-  p.vx.assign(n, 0.0);
-  p.vy.assign(n, 0.0);
-  p.fx.assign(n, 0.0);
-  p.fy.assign(n, 0.0);
+  p.id.resize(n);
+  std::iota(p.id.begin(), p.id.end(), 0);
+  p.position = positions;
+  p.velocity.resize(n);
   if (scene.contacts.friction) p.spin.assign(n, 0.0);
   return p;
 }
 
+Particles inOrderOfIds(const Particles& particles) {
+  Particles sorted = particles;
+  const auto sort = [&](const auto& from, auto& to) {
+    for (std::size_t i = 0; i < from.size(); ++i) to[particles.id[i]] = from[i];
+  };
+  sort(particles.id, sorted.id);
+  sort(particles.position, sorted.position);
+  sort(particles.velocity, sorted.velocity);
+  sort(particles.spin, sorted.spin);
+  sort(particles.external, sorted.external);
+  sort(particles.drag, sorted.drag);
+  sort(particles.foreseen, sorted.foreseen);
+  return sorted;
+}
+
 bool isFinite(const Particles& particles) {
-  const auto finite = [](double v) { return std::isfinite(v); };
-  return std::all_of(particles.x.begin(), particles.x.end(), finite) &&
-         std::all_of(particles.y.begin(), particles.y.end(), finite);
+  return std::all_of(particles.position.begin(), particles.position.end(),
+                     [](Vec2 at) { return std::isfinite(at.x) && std::isfinite(at.y); });
 }
 
 }  // namespace bedmix

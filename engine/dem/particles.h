@@ -5,26 +5,38 @@
 #include "engine/core/vec2.h"
 
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 namespace bedmix {
 
-/// The spheres of a bed, all alike, in the order of their ids 0 to size() - 1; one array a component.
+/// The spheres of a bed, all alike; one array a quantity. Whoever advances them may change their order, to
+/// keep neighbours in space neighbours in memory: `id` tells who is where.
 struct Particles {
-  double radius = 0.0;         // m
-  double mass = 0.0;           // kg
-  double inertia = 0.0;        // kg m2, 2/5 m r^2
-  std::vector<double> x, y;    // m
-  std::vector<double> vx, vy;  // m/s
+  double radius = 0.0;   // m
+  double mass = 0.0;     // kg
+  double inertia = 0.0;  // kg m2, 2/5 m r^2
+  std::vector<std::int32_t> id;
+  std::vector<Vec2> position;  // m
+  std::vector<Vec2> velocity;  // m/s
   std::vector<double> spin;    // rad/s, counter-clockwise; empty without friction
-  /// Forces of others than contacts and gravity, N; they act until whoever sets them changes them.
-  std::vector<double> fx, fy;
+  /// Forces of others than contacts and gravity are external - drag velocity; they act until whoever sets
+  /// them changes them. All three are empty where there are none.
+  std::vector<Vec2> external;  // N
+  std::vector<double> drag;    // kg/s
+  /// Where whoever set the drag then foresaw the particle when it is set next, m: drag accounts for the
+  /// difference.
+  std::vector<Vec2> foreseen;
 
-  std::size_t size() const { return x.size(); }
+  std::size_t size() const { return position.size(); }
+  /// Gives every particle an external force and a drag coefficient, both zero, foreseen where it is.
+  void addExternalForces();
 };
 
-/// The scene's spheres at rest with their centres at `positions`, m.
+/// The scene's spheres at rest with their centres at `positions`, m; ids count up from 0.
 Particles makeParticles(const Scene& scene, const std::vector<Vec2>& positions);
+/// The same particles in the order of their ids.
+Particles inOrderOfIds(const Particles& particles);
 /// Whether all are at finite places.
 bool isFinite(const Particles& particles);
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include "engine/dem/axis.h"
-#include "engine/dem/integrators.h"
+#include "engine/dem/runge_kutta.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace bedmix {
 
@@ -11,163 +11,182 @@ namespace {
 constexpr std::array<double, 4> weights{1.0 / 6.0, 1.0 / 3.0, 1.0 / 3.0, 1.0 / 6.0};
 constexpr std::array<double, 4> instants{0.0, 0.5, 0.5, 1.0};  // of the stages, in steps
 
-void addRateAlong(Acceleration acceleration, double weight, std::size_t n, double* __restrict sumX,
-                  double* __restrict sumV, const double* __restrict v, const double* __restrict contacts,
-                  const double* __restrict others) {
-  for (std::size_t i = 0; i < n; ++i) {
-    sumX[i] += weight * v[i];
-    sumV[i] += weight * acceleration(contacts[i], others[i]);
-  }
+template <class T>
+void add(std::vector<T>& to, double factor, const std::vector<T>& change) {
+  for (std::size_t i = 0; i < to.size(); ++i) to[i] += factor * change[i];
 }
 
-/// `x0` and `v0` are the start of the step, `v` is the last stage's and becomes the next one's.
-void moveAlong(Acceleration acceleration, double duration, std::size_t n, double* __restrict x,
-               double* __restrict v, const double* __restrict x0, const double* __restrict v0,
-               const double* __restrict contacts, const double* __restrict others) {
-  for (std::size_t i = 0; i < n; ++i) {
-    x[i] = x0[i] + duration * v[i];
-    v[i] = v0[i] + duration * acceleration(contacts[i], others[i]);
-  }
+double largestNorm(const std::vector<Vec2>& v) {
+  double largest = 0.0;
+  for (const Vec2 u : v) largest = std::max(largest, dot(u, u));
+  return std::sqrt(largest);
 }
 
-/// to += factor * change.
-void add(std::vector<double>& to, double factor, const std::vector<double>& change) {
-  double* __restrict values = to.data();
-  for (std::size_t i = 0; i < to.size(); ++i) values[i] += factor * change[i];
+/// visit(slots, k) for all arrays of contacts, k counting them in the order of evaluate().
+template <class Visit>
+void forSlots(BedState& bed, Visit&& visit) {
+  std::size_t k = 0;
+  for (std::size_t b = 0; b < bed.contacts.blocks(); ++b) {
+    ContactBlock& block = bed.contacts.block(b);
+    visit(block.near, k++);
+    visit(block.crossing, k++);
+    for (ContactBlock::AtWall& w : block.walls) visit(w.slots, k++);
+  }
 }
 
 }  // namespace
 
-template <bool friction>
-RungeKutta4<friction>::RungeKutta4(const Scene& scene, std::size_t particles) : contacts_(scene) {
+RungeKutta4::RungeKutta4(const Scene& scene, const BedState& bed) : contacts_(scene, 0.0) {
   for (Values* v : {&at_, &sum_}) {
-    for (std::vector<double>* a : {&v->x, &v->y, &v->vx, &v->vy}) a->resize(particles);
-    if (friction) v->spin.resize(particles);
+    v->position.resize(bed.particles.size());
+    v->velocity.resize(bed.particles.size());
+    v->spin.resize(bed.particles.spin.size());
   }
+  history_.resize(bed.contacts.blocks() * (2 + bed.contacts.walls().size()));
 }
 
-template <bool friction>
-void RungeKutta4<friction>::begin(BedState& bed) {
-  rebuild(bed);
+void RungeKutta4::begin(BedState& bed) { rebuild(bed); }
+
+StepOutcome RungeKutta4::advance(BedState& bed, std::int64_t steps, double maxOverlap) {
+  StepOutcome outcome;
+  for (; outcome.steps < steps && deepestOverlap(bed) <= maxOverlap; ++outcome.steps) {
+    if (attempt(bed, false)) continue;
+    LapTimer timer;
+    outcome.finite = renewLists(bed);
+    timer.lap(bed.seconds.neighbours);
+    if (!outcome.finite) return outcome;
+    attempt(bed, true);
+  }
+  outcome.finite = isFinite(bed.particles) && std::isfinite(largestNorm(bed.particles.velocity));
+  return outcome;
 }
 
-template <bool friction>
-bool RungeKutta4<friction>::step(BedState& bed) {
-  if (attempt(bed, false)) return true;
-  LapTimer timer;
-  const bool stillGood = bed.neighbours.measure(bed.particles.x, bed.particles.y);
-  timer.lap(bed.seconds.neighbours);
-  if (stillGood && attempt(bed, false)) return true;
-  LapTimer rebuilding;
-  if (!rebuild(bed)) return false;
-  rebuilding.lap(bed.seconds.neighbours);
-  return attempt(bed, true);
-}
-
-template <bool friction>
-bool RungeKutta4<friction>::attempt(BedState& bed, bool force) {
+bool RungeKutta4::attempt(BedState& bed, bool force) {
   LapTimer timer;
   const Particles& p = bed.particles;
-  at_.x = p.x;
-  at_.y = p.y;
-  at_.vx = p.vx;
-  at_.vy = p.vy;
+  at_.position = p.position;
+  at_.velocity = p.velocity;
   at_.spin = p.spin;
-  for (std::vector<double>* s : {&sum_.x, &sum_.y, &sum_.vx, &sum_.vy, &sum_.spin})
-    std::fill(s->begin(), s->end(), 0.0);
-  for (ContactHistory& stage : stages_) stage.clear();
+  std::fill(sum_.position.begin(), sum_.position.end(), Vec2{});
+  std::fill(sum_.velocity.begin(), sum_.velocity.end(), Vec2{});
+  std::fill(sum_.spin.begin(), sum_.spin.end(), 0.0);
 
   for (std::size_t s = 0; s < 4; ++s) {
     if (s > 0) {
       const double duration = instants[s] * bed.step;
-      const double distance = moveFromStart(bed, duration);
-      if (!force && !bed.neighbours.covers(distance)) return false;
-      growSprings(stages_[s - 1], duration);
+      const double distance = 2.0 * moveFromStart(bed, duration);
+      if (!force && !(distance <= std::min(bed.budget.outer, bed.budget.inner))) return false;
+      growSprings(s - 1, duration);
     }
     timer.lap(bed.seconds.integrate);
-    const Motion at{at_.x.data(), at_.y.data(), at_.vx.data(), at_.vy.data(), at_.spin.data()};
-    contacts_.evaluate(at, bed.neighbours, s == 0 ? bed.history : trial_, 0.0, stages_[s], bed.loads);
+    evaluate(bed, s);
     timer.lap(bed.seconds.contacts);
     addRate(bed, weights[s]);
   }
-  bed.neighbours.spend(finish(bed));
+  bed.budget.spend(finish(bed));
   timer.lap(bed.seconds.integrate);
   return true;
 }
 
-template <bool friction>
-void RungeKutta4<friction>::addRate(const BedState& bed, double weight) {
+void RungeKutta4::evaluate(BedState& bed, std::size_t stage) {
+  std::fill(bed.loads.begin(), bed.loads.end(), Load{});
+  const Motion at{at_.position.data(), at_.velocity.data(), at_.spin.data()};
+  std::size_t before = 0;  // arrays of earlier blocks
+  for (std::size_t b = 0; b < bed.contacts.blocks(); ++b) {
+    contacts_.evaluate(bed, b, at, [&](ContactSlots& slots, std::size_t k) -> Tangential {
+      if (slots.spring.empty()) return {};
+      History& h = history_[before + k];
+      const double* const from = stage == 0 ? slots.spring.data() : h.trial.data();
+      return {from, slots.slip.data(), (stage == 0 ? h.start : h.left).data(), h.slip[stage].data()};
+    });
+    before += 2 + bed.contacts.walls().size();
+  }
+  for (std::size_t b = 0; b < bed.contacts.blocks(); ++b) ContactForces::addIncoming(bed, b);
+}
+
+Vec2 RungeKutta4::acceleration(const BedState& bed, std::size_t i) const {
   const Particles& p = bed.particles;
-  const std::size_t n = p.size();
-  const double perMass = 1.0 / p.mass;
-  addRateAlong({perMass, 0.0}, weight, n, sum_.x.data(), sum_.vx.data(), at_.vx.data(), bed.loads.fx.data(),
-               p.fx.data());
-  addRateAlong({perMass, -bed.gravity}, weight, n, sum_.y.data(), sum_.vy.data(), at_.vy.data(),
-               bed.loads.fy.data(), p.fy.data());
-  if constexpr (friction) add(sum_.spin, weight / p.inertia, bed.loads.torque);
+  Vec2 force = bed.loads[i].force;
+  if (!p.external.empty()) force += p.external[i] - p.drag[i] * at_.velocity[i];
+  return 1.0 / p.mass * force - Vec2{0.0, bed.gravity};
+}
+
+void RungeKutta4::addRate(const BedState& bed, double weight) {
+  const Particles& p = bed.particles;
+  add(sum_.position, weight, at_.velocity);
+  for (std::size_t i = 0; i < p.size(); ++i) sum_.velocity[i] += weight * acceleration(bed, i);
+  for (std::size_t i = 0; i < p.spin.size(); ++i) sum_.spin[i] += weight / p.inertia * bed.loads[i].torque;
 }
 
 // From the start of the step with the rates of the last stage. Returns the largest distance moved, m.
-template <bool friction>
-double RungeKutta4<friction>::moveFromStart(const BedState& bed, double duration) {
+double RungeKutta4::moveFromStart(const BedState& bed, double duration) {
   const Particles& p = bed.particles;
-  const std::size_t n = p.size();
-  const double perMass = 1.0 / p.mass, distance = duration * largestNorm(at_.vx, at_.vy);
-  moveAlong({perMass, 0.0}, duration, n, at_.x.data(), at_.vx.data(), p.x.data(), p.vx.data(),
-            bed.loads.fx.data(), p.fx.data());
-  moveAlong({perMass, -bed.gravity}, duration, n, at_.y.data(), at_.vy.data(), p.y.data(), p.vy.data(),
-            bed.loads.fy.data(), p.fy.data());
-  if constexpr (friction) {
-    at_.spin = p.spin;
-    add(at_.spin, duration / p.inertia, bed.loads.torque);
+  const double distance = duration * largestNorm(at_.velocity);
+  for (std::size_t i = 0; i < p.size(); ++i) {
+    const Vec2 gain = duration * acceleration(bed, i);
+    at_.position[i] = p.position[i] + duration * at_.velocity[i];
+    at_.velocity[i] = p.velocity[i] + gain;
   }
+  for (std::size_t i = 0; i < p.spin.size(); ++i)
+    at_.spin[i] = p.spin[i] + duration / p.inertia * bed.loads[i].torque;
   return distance;
 }
 
-template <bool friction>
-void RungeKutta4<friction>::growSprings(const ContactHistory& before, double duration) {
-  for (std::size_t k = 0; k < trial_.spring.size(); ++k)
-    trial_.spring[k] = stages_[0].spring[k] + duration * before.slip[k];
+void RungeKutta4::growSprings(std::size_t stage, double duration) {
+  for (History& h : history_)
+    for (std::size_t c = 0; c < h.trial.size(); ++c) h.trial[c] = h.start[c] + duration * h.slip[stage][c];
 }
 
 // Who touches at the end of the step is whoever does in its last stage. Returns the largest distance moved,
 // m.
-template <bool friction>
-double RungeKutta4<friction>::finish(BedState& bed) {
+double RungeKutta4::finish(BedState& bed) {
   Particles& p = bed.particles;
   const double dt = bed.step;
-  add(p.x, dt, sum_.x);
-  add(p.y, dt, sum_.y);
-  add(p.vx, dt, sum_.vx);
-  add(p.vy, dt, sum_.vy);
-  if constexpr (friction) add(p.spin, dt, sum_.spin);
-
-  ContactHistory& history = bed.history;
-  const ContactHistory& last = stages_[3];
-  history.clear();
-  history.pairCount = last.pairCount;
-  history.count = last.count;
-  for (std::size_t c = 0; c < last.count; ++c) {
-    const std::int32_t k = history.touching[c] = last.touching[c];
-    if constexpr (friction) {
+  add(p.position, dt, sum_.position);
+  add(p.velocity, dt, sum_.velocity);
+  add(p.spin, dt, sum_.spin);
+  forSlots(bed, [&](ContactSlots& slots, std::size_t k) {
+    if (slots.spring.empty()) return;
+    const History& h = history_[k];
+    for (std::size_t c = 0; c < slots.count; ++c) {
+      const bool touches = h.left[c] != 0.0 || h.slip[3][c] != 0.0;
       double slip = 0.0;
-      for (std::size_t s = 0; s < 4; ++s) slip += weights[s] * stages_[s].slip[k];
-      history.spring[k] = stages_[0].spring[k] + dt * slip;
+      for (std::size_t s = 0; s < 4; ++s) slip += weights[s] * h.slip[s][c];
+      slots.spring[c] = touches ? h.start[c] + dt * slip : 0.0;
+      slots.slip[c] = h.slip[3][c];
     }
-  }
-  return dt * largestNorm(sum_.x, sum_.y);
+  });
+  return dt * largestNorm(sum_.position);
 }
 
-template <bool friction>
-bool RungeKutta4<friction>::rebuild(BedState& bed) {
-  if (!isFinite(bed.particles)) return false;
-  bed.neighbours.build(bed.particles.x, bed.particles.y);
-  bed.history.carryOver(bed.neighbours, trial_);
-  for (ContactHistory& stage : stages_) stage.reset(bed.neighbours.size(), friction);
+bool RungeKutta4::renewLists(BedState& bed) {
+  ContactList& lists = bed.contacts;
+  const std::vector<Vec2>& position = bed.particles.position;
+  bed.budget.outer = lists.remainder(lists.displacements({0, bed.particles.size()}, position));
+  if (bed.budget.outer < 0.0) return rebuild(bed);
+  for (std::size_t b = 0; b < lists.blocks(); ++b) lists.refresh(b, position, spare_);
+  bed.budget.inner = lists.fullBudget().inner;
+  fitHistory(bed);
   return true;
 }
 
-template class RungeKutta4<false>;
-template class RungeKutta4<true>;
+bool RungeKutta4::rebuild(BedState& bed) {
+  if (!bed.sort()) return false;
+  ContactList& lists = bed.contacts;
+  for (std::size_t b = 0; b < lists.blocks(); ++b) lists.find(b, bed.particles.position, spare_);
+  lists.link();
+  bed.budget = lists.fullBudget();
+  fitHistory(bed);
+  return true;
+}
+
+void RungeKutta4::fitHistory(BedState& bed) {
+  forSlots(bed, [&](ContactSlots& slots, std::size_t k) {
+    History& h = history_[k];
+    for (std::vector<double>* values :
+         {&h.start, &h.trial, &h.left, &h.slip[0], &h.slip[1], &h.slip[2], &h.slip[3]})
+      values->assign(slots.spring.size(), 0.0);
+  });
+}
 
 }  // namespace bedmix

@@ -1,114 +1,131 @@
 // SPDX-License-Identifier: MIT
-#include "engine/dem/axis.h"
-#include "engine/dem/integrators.h"
+#include "engine/dem/verlet.h"
 
-#include <utility>
+#include <algorithm>
+#include <cmath>
 
 namespace bedmix {
 
-namespace {
+VelocityVerlet::VelocityVerlet(const Scene& scene, const BedState& bed)
+    : atStart_(scene, 0.0),
+      contacts_(scene, 0.5 * bed.step),
+      spare_(bed.team.size()),
+      fastest2_(bed.contacts.blocks()),
+      displacements_(bed.contacts.blocks()) {}
 
-/// Half a step in velocity, a whole one in position; `ahead` is the velocity after another half.
-void driftAlong(Acceleration acceleration, double half, std::size_t n, double* __restrict x,
-                double* __restrict v, double* __restrict ahead, const double* __restrict contacts,
-                const double* __restrict others) {
-  for (std::size_t i = 0; i < n; ++i) {
-    const double dv = half * acceleration(contacts[i], others[i]);
-    v[i] += dv;
-    x[i] += v[i] * (2.0 * half);
-    ahead[i] = v[i] + dv;
+VelocityVerlet::Member VelocityVerlet::start(const BedState& bed, int index) const {
+  return {index, bed.team.share(bed.contacts.blocks(), index), bed.budget, {}, {}, {}};
+}
+
+// Null where there are none: the kernel leaves out what a scene does not use.
+MotionKernel VelocityVerlet::motion(BedState& bed) const {
+  Particles& p = bed.particles;
+  const auto orNull = [](auto& values) { return values.empty() ? nullptr : values.data(); };
+  return {bed.step,          bed.gravity,       1.0 / p.mass,     1.0 / p.inertia,
+          p.position.data(), p.velocity.data(), orNull(p.spin),   orNull(p.external),
+          orNull(p.drag),    bed.loads.data(),  bed.ahead.data(), bed.spinAhead.data()};
+}
+
+void VelocityVerlet::begin(BedState& bed) {
+  bed.ahead = bed.particles.velocity;
+  bed.spinAhead = bed.particles.spin;
+  bed.team.run([&](int index) {
+    Member m = start(bed, index);
+    rebuild(bed, m);
+    evaluate(bed, m, atStart_);
+    bed.team.barrier();
+    for (std::size_t b = m.blocks.begin; b < m.blocks.end; ++b) ContactForces::addIncoming(bed, b);
+    if (index == 0) bed.budget = m.budget;
+  });
+}
+
+StepOutcome VelocityVerlet::advance(BedState& bed, std::int64_t steps, double maxOverlap) {
+  if (steps == 0) return {};
+  StepOutcome outcome;
+  bed.team.run([&](int index) {
+    Member m = start(bed, index);
+    walk(bed, m, steps, maxOverlap);
+    if (index != 0) return;
+    outcome = m.outcome;
+    bed.budget = m.budget;
+    bed.seconds.neighbours += m.seconds.neighbours;
+    bed.seconds.contacts += m.seconds.contacts;
+    bed.seconds.integrate += m.seconds.integrate;
+  });
+  if (outcome.finite)
+    for (const double v2 : fastest2_) outcome.finite &= std::isfinite(v2);
+  return outcome;
+}
+
+void VelocityVerlet::walk(BedState& bed, Member& m, std::int64_t steps, double maxOverlap) {
+  const bool first = m.index == 0;
+  for (std::int64_t& taken = m.outcome.steps; taken < steps && deepestOverlap(bed) <= maxOverlap; ++taken) {
+    // The end of a step and the beginning of the next in one pass over memory.
+    if (taken == 0)
+      move(bed, m, &MotionKernel::drift, false);
+    else
+      move(bed, m, &MotionKernel::kickAndDrift, true);
+    bed.team.barrier();
+    if (first) m.timer.lap(m.seconds.integrate);
+    m.outcome.finite = keepLists(bed, m);
+    if (!m.outcome.finite) return;
+    if (first) m.timer.lap(m.seconds.neighbours);
+    evaluate(bed, m, contacts_);
+    bed.team.barrier();
+    if (first) m.timer.lap(m.seconds.contacts);
+  }
+  move(bed, m, &MotionKernel::kick, true);
+  if (first) m.timer.lap(m.seconds.integrate);
+}
+
+void VelocityVerlet::move(BedState& bed, Member& m, double (MotionKernel::*how)(Range) const,
+                          bool withIncoming) {
+  const MotionKernel kernel = motion(bed);
+  for (std::size_t b = m.blocks.begin; b < m.blocks.end; ++b) {
+    if (withIncoming) ContactForces::addIncoming(bed, b);
+    fastest2_[b] = (kernel.*how)(bed.contacts.block(b).particles);
   }
 }
 
-/// Half a step in spin; `ahead` is the spin after another half.
-void turn(double halfPerInertia, std::size_t n, double* __restrict spin, double* __restrict ahead,
-          const double* __restrict torque) {
-  for (std::size_t i = 0; i < n; ++i) {
-    const double change = halfPerInertia * torque[i];
-    spin[i] += change;
-    ahead[i] = spin[i] + change;
+void VelocityVerlet::evaluate(BedState& bed, const Member& m, const ContactForces& contacts) {
+  const Motion at{bed.particles.position.data(), bed.ahead.data(), bed.spinAhead.data()};
+  for (std::size_t b = m.blocks.begin; b < m.blocks.end; ++b)
+    contacts.evaluate(bed, b, at, [](ContactSlots& slots, std::size_t) { return inPlace(slots); });
+}
+
+// Every member comes to the same decisions, so that all meet as often.
+bool VelocityVerlet::keepLists(BedState& bed, Member& m) {
+  const double fastest2 = *std::max_element(fastest2_.begin(), fastest2_.end());
+  if (!std::isfinite(fastest2)) return false;
+  m.budget.spend(std::sqrt(fastest2) * bed.step);
+  const std::vector<Vec2>& position = bed.particles.position;
+  if (m.budget.outer < 0.0) {
+    for (std::size_t b = m.blocks.begin; b < m.blocks.end; ++b)
+      displacements_[b] = bed.contacts.displacements(bed.contacts.block(b).particles, position);
+    bed.team.barrier();
+    ContactList::Displacements all;
+    for (const ContactList::Displacements& d : displacements_) all.add(d.largest), all.add(d.second);
+    m.budget.outer = bed.contacts.remainder(all);
+    if (m.budget.outer < 0.0) return rebuild(bed, m);
   }
-}
-
-void kickAlong(Acceleration acceleration, double half, std::size_t n, double* __restrict v,
-               const double* __restrict contacts, const double* __restrict others) {
-  for (std::size_t i = 0; i < n; ++i) v[i] += half * acceleration(contacts[i], others[i]);
-}
-
-}  // namespace
-
-template <bool friction>
-VelocityVerlet<friction>::VelocityVerlet(const Scene& scene, std::size_t particles)
-    : contacts_(scene), vx_(particles), vy_(particles), spin_(friction ? particles : 0) {}
-
-template <bool friction>
-void VelocityVerlet<friction>::begin(BedState& bed) {
-  rebuild(bed);
-  vx_ = bed.particles.vx;
-  vy_ = bed.particles.vy;
-  spin_ = bed.particles.spin;
-  evaluate(bed, 0.0);
-}
-
-template <bool friction>
-bool VelocityVerlet<friction>::step(BedState& bed) {
-  LapTimer timer;
-  const double distance = drift(bed);
-  timer.lap(bed.seconds.integrate);
-  const Particles& p = bed.particles;
-  if (!bed.neighbours.spend(distance) && !bed.neighbours.measure(p.x, p.y) && !rebuild(bed)) return false;
-  timer.lap(bed.seconds.neighbours);
-  evaluate(bed, 0.5 * bed.step);
-  timer.lap(bed.seconds.contacts);
-  kick(bed);
-  timer.lap(bed.seconds.integrate);
+  if (m.budget.inner >= 0.0) return true;
+  for (std::size_t b = m.blocks.begin; b < m.blocks.end; ++b)
+    bed.contacts.refresh(b, position, spare_[m.index]);
+  m.budget.inner = bed.contacts.fullBudget().inner;
   return true;
 }
 
-// To the middle of the step in velocity, to its end in position. Returns the largest distance moved, m.
-template <bool friction>
-double VelocityVerlet<friction>::drift(BedState& bed) {
-  Particles& p = bed.particles;
-  const ContactLoads& loads = bed.loads;
-  const double half = 0.5 * bed.step, perMass = 1.0 / p.mass;
-  const std::size_t n = p.size();
-  driftAlong({perMass, 0.0}, half, n, p.x.data(), p.vx.data(), vx_.data(), loads.fx.data(), p.fx.data());
-  driftAlong({perMass, -bed.gravity}, half, n, p.y.data(), p.vy.data(), vy_.data(), loads.fy.data(),
-             p.fy.data());
-  if constexpr (friction) turn(half / p.inertia, n, p.spin.data(), spin_.data(), loads.torque.data());
-  return largestNorm(p.vx, p.vy) * bed.step;
-}
-
-template <bool friction>
-void VelocityVerlet<friction>::evaluate(BedState& bed, double halfStep) {
-  const Particles& p = bed.particles;
-  const Motion at{p.x.data(), p.y.data(), vx_.data(), vy_.data(), spin_.data()};
-  contacts_.evaluate(at, bed.neighbours, bed.history, halfStep, next_, bed.loads);
-  std::swap(bed.history, next_);
-  next_.clear();
-}
-
-template <bool friction>
-void VelocityVerlet<friction>::kick(BedState& bed) {
-  Particles& p = bed.particles;
-  const ContactLoads& loads = bed.loads;
-  const double half = 0.5 * bed.step, perMass = 1.0 / p.mass;
-  const std::size_t n = p.size();
-  kickAlong({perMass, 0.0}, half, n, p.vx.data(), loads.fx.data(), p.fx.data());
-  kickAlong({perMass, -bed.gravity}, half, n, p.vy.data(), loads.fy.data(), p.fy.data());
-  // The next drift overwrites what this says of the spins ahead.
-  if constexpr (friction) turn(half / p.inertia, n, p.spin.data(), spin_.data(), loads.torque.data());
-}
-
-template <bool friction>
-bool VelocityVerlet<friction>::rebuild(BedState& bed) {
-  if (!isFinite(bed.particles)) return false;
-  bed.neighbours.build(bed.particles.x, bed.particles.y);
-  bed.history.carryOver(bed.neighbours, next_);
+bool VelocityVerlet::rebuild(BedState& bed, Member& m) {
+  bed.team.barrier();
+  if (m.index == 0) sorted_ = bed.sort();
+  bed.team.barrier();
+  if (!sorted_) return false;
+  for (std::size_t b = m.blocks.begin; b < m.blocks.end; ++b)
+    bed.contacts.find(b, bed.particles.position, spare_[m.index]);
+  bed.team.barrier();
+  if (m.index == 0) bed.contacts.link();
+  m.budget = bed.contacts.fullBudget();
   return true;
 }
-
-template class VelocityVerlet<false>;
-template class VelocityVerlet<true>;
 
 }  // namespace bedmix

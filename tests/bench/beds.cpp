@@ -45,8 +45,8 @@ Particles packedBed(std::int64_t particles) {
   if (!settled) fail(settled.problems.front().message);
   std::vector<Vec2> positions;
   for (std::int64_t k = 0; k < particles / 1000; ++k)
-    for (std::size_t i = 0; i < settled->size(); ++i)
-      positions.push_back({settled->x[i] + static_cast<double>(k) * one.bed.width, settled->y[i]});
+    for (const Vec2 at : settled->position)
+      positions.push_back(at + Vec2{static_cast<double>(k) * one.bed.width, 0.0});
   return makeParticles(bedScene(particles), positions);
 }
 
@@ -61,14 +61,13 @@ Particles agitatedBed(std::int64_t particles) {
         {left + static_cast<double>(i % columns) * spacing, d + static_cast<double>(i / columns) * spacing});
   Particles start = makeParticles(scene, positions);
   Rng rng(scene.seed);
-  for (std::size_t i = 0; i < start.size(); ++i) {
+  for (Vec2& v : start.velocity) {
     const double angle = rng.uniform(0.0, 2.0 * std::numbers::pi);
-    start.vx[i] = 0.5 * std::cos(angle);
-    start.vy[i] = 0.5 * std::sin(angle);
+    v = {0.5 * std::cos(angle), 0.5 * std::sin(angle)};
   }
   const auto solver = ParticleSolver::make(scene, std::move(start), bedWalls(scene));
   if (solver->advance(500)) fail("the agitated bed became invalid");
-  return solver->particles();
+  return inOrderOfIds(solver->particles());
 }
 
 Result<Particles> readBed(const std::string& path) {
@@ -84,10 +83,7 @@ Result<Particles> readBed(const std::string& path) {
     return Diagnostic({path, static_cast<int>(positions.size()) + 1, 1},
                       "not a row of four numbers x y vx vy");
   Particles bed = makeParticles(bedScene(static_cast<std::int64_t>(positions.size())), positions);
-  for (std::size_t i = 0; i < bed.size(); ++i) {
-    bed.vx[i] = velocities[i].x;
-    bed.vy[i] = velocities[i].y;
-  }
+  bed.velocity = velocities;
   return bed;
 }
 

@@ -2,13 +2,13 @@
 #include "engine/core/bed_statistics.h"
 #include "engine/core/mixing.h"
 #include "engine/core/walls.h"
-#include "engine/dem/contacts.h"
-#include "engine/dem/integrators.h"
+#include "engine/dem/contact_forces.h"
 #include "engine/dem/particle_solver.h"
 #include "engine/simulation.h"
 #include "tests/bench/beds.h"
 
 #include <benchmark/benchmark.h>
+#include <cstddef>
 #include <map>
 #include <utility>
 
@@ -33,34 +33,57 @@ void countParticles(benchmark::State& state) {
       benchmark::Counter(items, benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
 }
 
-void buildNeighbours(benchmark::State& state, MakeBed make) {
-  const Particles& bed = bedOf(make, state.range(0));
+/// Sorts the particles, which are in order from the second time on, and finds candidates.
+bool makeList(BedState& bed, ContactSlots& spare) {
+  if (!bed.sort()) return false;
+  for (std::size_t b = 0; b < bed.contacts.blocks(); ++b) bed.contacts.find(b, bed.particles.position, spare);
+  bed.contacts.link();
+  return true;
+}
+
+template <class Count>
+double perParticle(const BedState& bed, Count&& count) {
+  std::size_t all = 0;
+  for (std::size_t b = 0; b < bed.contacts.blocks(); ++b) all += count(bed.contacts.block(b));
+  return static_cast<double>(all) / static_cast<double>(bed.particles.size());
+}
+
+void buildList(benchmark::State& state, MakeBed make) {
   const Scene scene = bedScene(state.range(0));
-  NeighbourList list(scene.particles.diameter, bedWalls(scene));
-  for (auto _ : state) list.build(bed.x, bed.y);
+  BedState bed(scene, bedOf(make, state.range(0)), bedWalls(scene), oneThread());
+  ContactSlots spare;
+  for (auto _ : state)
+    if (!makeList(bed, spare)) return state.SkipWithError("not finite");
   countParticles(state);
-  state.counters["candidates"] = static_cast<double>(list.size()) / static_cast<double>(bed.size());
+  state.counters["candidates"] = perParticle(bed, [](const ContactBlock& b) { return b.candidateCount; });
+}
+
+/// Which of the candidates a step looks at.
+void refreshList(benchmark::State& state, MakeBed make) {
+  const Scene scene = bedScene(state.range(0));
+  BedState bed(scene, bedOf(make, state.range(0)), bedWalls(scene), oneThread());
+  ContactSlots spare;
+  if (!makeList(bed, spare)) return state.SkipWithError("not finite");
+  for (auto _ : state)
+    for (std::size_t b = 0; b < bed.contacts.blocks(); ++b)
+      bed.contacts.refresh(b, bed.particles.position, spare);
+  countParticles(state);
+  state.counters["near"] = perParticle(bed, [](const ContactBlock& b) { return b.near.count; });
 }
 
 void evaluateContacts(benchmark::State& state, MakeBed make) {
-  const Particles& bed = bedOf(make, state.range(0));
   const Scene scene = bedScene(state.range(0));
-  NeighbourList list(scene.particles.diameter, bedWalls(scene));
-  list.build(bed.x, bed.y);
-  ContactHistory from, to;
-  from.reset(list.size(), true);
-  to.reset(list.size(), true);
-  const std::vector<double> zeros(bed.size());
-  ContactLoads loads{zeros, zeros, zeros, {}};
-  ContactForces<true> forces(scene);
-  const Motion at{bed.x.data(), bed.y.data(), bed.vx.data(), bed.vy.data(), bed.spin.data()};
-  for (auto _ : state) {
-    forces.evaluate(at, list, from, 0.5 * scene.time.step, to, loads);
-    std::swap(from, to);
-    to.clear();
-  }
+  BedState bed(scene, bedOf(make, state.range(0)), bedWalls(scene), oneThread());
+  ContactSlots spare;
+  if (!makeList(bed, spare)) return state.SkipWithError("not finite");
+  bed.ahead = bed.particles.velocity;
+  const ContactForces forces(scene, 0.5 * scene.time.step);
+  const Motion at{bed.particles.position.data(), bed.ahead.data(), bed.spinAhead.data()};
+  for (auto _ : state)
+    for (std::size_t b = 0; b < bed.contacts.blocks(); ++b)
+      forces.evaluate(bed, b, at, [](ContactSlots& slots, std::size_t) { return inPlace(slots); });
   countParticles(state);
-  state.counters["contacts"] = static_cast<double>(from.count) / static_cast<double>(bed.size());
+  state.counters["contacts"] = perParticle(bed, [](const ContactBlock& b) { return b.touching; });
 }
 
 /// The whole step; `integrate` is what is left without neighbours and contacts.
@@ -78,7 +101,7 @@ void sampleMixing(benchmark::State& state) {
   const Particles& bed = bedOf(packedBed, state.range(0));
   Scene scene = bedScene(state.range(0));
   Frame frame;
-  for (std::size_t i = 0; i < bed.size(); ++i) frame.position.push_back(toFloat({bed.x[i], bed.y[i]}));
+  for (const Vec2 at : bed.position) frame.position.push_back(toFloat(at));
   frame.species = tagTracer(scene.tracer.rule, frame.position, scene.bed.width);
   scene.sampling.columns *= state.range(0) / 1000;
   const SamplingGrid grid = samplingGrid(scene);
@@ -97,8 +120,10 @@ void makeFrame(benchmark::State& state) {
 
 constexpr std::int64_t small = 1000, large = 100000;
 
-BENCHMARK_CAPTURE(buildNeighbours, packed, packedBed)->RangeMultiplier(10)->Range(small, large);
-BENCHMARK_CAPTURE(buildNeighbours, agitated, agitatedBed)->RangeMultiplier(10)->Range(small, large);
+BENCHMARK_CAPTURE(buildList, packed, packedBed)->RangeMultiplier(10)->Range(small, large);
+BENCHMARK_CAPTURE(buildList, agitated, agitatedBed)->RangeMultiplier(10)->Range(small, large);
+BENCHMARK_CAPTURE(refreshList, packed, packedBed)->RangeMultiplier(10)->Range(small, large);
+BENCHMARK_CAPTURE(refreshList, agitated, agitatedBed)->RangeMultiplier(10)->Range(small, large);
 BENCHMARK_CAPTURE(evaluateContacts, packed, packedBed)->RangeMultiplier(10)->Range(small, large);
 BENCHMARK_CAPTURE(evaluateContacts, agitated, agitatedBed)->RangeMultiplier(10)->Range(small, large);
 BENCHMARK_CAPTURE(verletStep, packed, packedBed)->RangeMultiplier(10)->Range(small, large);

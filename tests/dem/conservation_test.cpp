@@ -18,8 +18,8 @@ std::unique_ptr<ParticleSolver> crowd(const Scene& scene, int side, double spaci
   auto solver = solverAt(scene, positions, walls);
   Particles& p = solver->particles();
   for (std::size_t i = 0; i < p.size(); ++i) {
-    p.vx[i] = speed * std::sin(2.3 * static_cast<double>(i) + 0.4);
-    p.vy[i] = speed * std::cos(1.7 * static_cast<double>(i));
+    p.velocity[i].x = speed * std::sin(2.3 * static_cast<double>(i) + 0.4);
+    p.velocity[i].y = speed * std::cos(1.7 * static_cast<double>(i));
   }
   return solver;
 }
@@ -55,7 +55,7 @@ TEST_P(Conservation, EnergyOfASqueezedPairOverAMillionSteps) {
   constexpr double speed = 0.3;
   constexpr int pieces = 1000, steps = 1000;
   const auto solver = solverAt(scene_, {{0.0019, 0.01}, {0.0058, 0.01}}, closedBox(0.0077, 0.02));
-  solver->particles().vx[0] = speed;
+  solver->particles().velocity[0].x = speed;
   ASSERT_FALSE(solver->advance(0));
   const double m = particleMass(scene_), k = scene_.contacts.stiffness, dt = scene_.time.step;
   const double perMode = 0.25 * m * speed * speed, start = energy(*solver);
@@ -83,8 +83,8 @@ TEST_P(Conservation, EnergyOfABouncingPairOverAMillionSteps) {
   const auto drift = [&](double step, std::int64_t steps) {
     scene_.time.step = step;
     const auto solver = solverAt(scene_, {{0.0061, 0.01}, {0.0152, 0.01}}, closedBox(0.02, 0.02));
-    solver->particles().vx[0] = 0.3;
-    solver->particles().vx[1] = -0.11;
+    solver->particles().velocity[0].x = 0.3;
+    solver->particles().velocity[1].x = -0.11;
     return energyDrift(*solver, 1000, steps);
   };
   const double coarse = drift(1e-5, 250000), fine = drift(2.5e-6, 1000000);
@@ -110,7 +110,7 @@ TEST_P(Conservation, MomentumOfAFreeCrowdToRoundOff) {
   const Particles& p = solver->particles();
   const auto momentum = [&] {
     Vec2 sum;
-    for (std::size_t i = 0; i < p.size(); ++i) sum += p.mass * Vec2{p.vx[i], p.vy[i]};
+    for (std::size_t i = 0; i < p.size(); ++i) sum += p.mass * p.velocity[i];
     return sum;
   };
   const Vec2 before = momentum();

@@ -22,8 +22,8 @@ class Friction : public testing::TestWithParam<Integrator> {
   /// Throws one sphere at the floor, at vx along and vy (both m/s) down, and lets it rebound.
   Particles bounce(double vx, double vy) const {
     const auto solver = solverAt(scene_, {{0.0, scene_.particles.diameter / 2.0 + 1e-7}}, wideFloor());
-    solver->particles().vx[0] = vx;
-    solver->particles().vy[0] = -vy;
+    solver->particles().velocity[0].x = vx;
+    solver->particles().velocity[0].y = -vy;
     EXPECT_FALSE(solver->advance(1000));
     EXPECT_EQ(solver->contactCount(), 0);
     return solver->particles();
@@ -42,19 +42,19 @@ TEST_P(Friction, SlidingTurnsIntoRolling) {
   const double sag = m * scene_.gravity / scene_.contacts.stiffness;
   const auto solver = solverAt(scene_, {{0.0, scene_.particles.diameter / 2.0 - sag}}, wideFloor());
   Particles& p = solver->particles();
-  p.vx[0] = start;
+  p.velocity[0].x = start;
 
   double firstRoll = 0.0;
   for (int s = 1; s <= 10000; ++s) {
     ASSERT_FALSE(solver->advance(1));
-    if (firstRoll == 0.0 && p.vx[0] + p.spin[0] * p.radius <= 0.0) firstRoll = s * scene_.time.step;
+    if (firstRoll == 0.0 && p.velocity[0].x + p.spin[0] * p.radius <= 0.0) firstRoll = s * scene_.time.step;
     if (s == 1000) {
-      EXPECT_NEAR(p.vx[0], start - mu * scene_.gravity * 0.01, 2e-5);
+      EXPECT_NEAR(p.velocity[0].x, start - mu * scene_.gravity * 0.01, 2e-5);
     }
   }
   EXPECT_NEAR(firstRoll, rollsAt, 0.01 * rollsAt);
-  EXPECT_NEAR(p.vx[0], 5.0 / 7.0 * start, 1e-4 * start);
-  EXPECT_NEAR(p.spin[0], -p.vx[0] / p.radius, 1e-4 * start / p.radius);
+  EXPECT_NEAR(p.velocity[0].x, 5.0 / 7.0 * start, 1e-4 * start);
+  EXPECT_NEAR(p.spin[0], -p.velocity[0].x / p.radius, 1e-4 * start / p.radius);
 }
 
 // In full sliding the tangential impulse is mu times that of |F_n|; without damping that is mu (1 + e) m v_n.
@@ -69,7 +69,7 @@ TEST_P(Friction, ObliqueImpactInFullSliding) {
     const double fastest = -normal.velocityAt((pi - std::atan2(2.0 * a * w, w * w - a * a)) / w);
     const double impulse = 0.3 * m * (vy * (1.0 - e) + 2.0 * fastest);
     const Particles p = bounce(vx, vy);
-    EXPECT_NEAR(p.vx[0], vx - impulse / m, 1e-3 * impulse / m) << "e = " << e;
+    EXPECT_NEAR(p.velocity[0].x, vx - impulse / m, 1e-3 * impulse / m) << "e = " << e;
     EXPECT_NEAR(p.spin[0], -impulse * r / p.inertia, 1e-3 * impulse * r / p.inertia) << "e = " << e;
     if (e == 1.0) {
       EXPECT_NEAR(impulse, 0.3 * 2.0 * m * vy, 1e-12 * m);
@@ -84,8 +84,8 @@ TEST_P(Friction, ObliqueImpactThatSticks) {
   constexpr double vx = 0.15, vy = 0.2;  // 2/7 vx/vy < mu
   const Particles p = bounce(vx, vy);
   const double expected = vx - 2.0 / 7.0 * 1.9 * vx;
-  EXPECT_NEAR(p.vx[0], expected, 1e-3 * vx);
-  EXPECT_NEAR(p.vx[0] + r * p.spin[0], -0.9 * vx, 2e-3 * vx);
+  EXPECT_NEAR(p.velocity[0].x, expected, 1e-3 * vx);
+  EXPECT_NEAR(p.velocity[0].x + r * p.spin[0], -0.9 * vx, 2e-3 * vx);
 }
 
 // Any other spring: half a normal period is a part of the tangential one, impulse m_t v (1 - cos(w_t t_c)).
@@ -96,7 +96,7 @@ TEST_P(Friction, ObliqueImpactWithAStifferTangentialSpring) {
   const double m = particleMass(scene_), movable = 2.0 / 7.0 * m;
   const double phase = pi * std::sqrt(0.5 * m / movable);
   const Particles p = bounce(vx, vy);
-  EXPECT_NEAR(p.vx[0], vx - movable / m * vx * (1.0 - std::cos(phase)), 2e-3 * vx);
+  EXPECT_NEAR(p.velocity[0].x, vx - movable / m * vx * (1.0 - std::cos(phase)), 2e-3 * vx);
 }
 
 // Within a contact that sticks the tangential spring and the spin show the orders of the integrators.
@@ -109,11 +109,12 @@ TEST_P(Friction, OrderWithinAContactThatSticks) {
   const auto error = [&](int steps) {
     scene_.time.step = time / steps;
     const auto solver = solverAt(scene_, {{0.0, r - overlap}}, wideFloor());
-    solver->particles().vx[0] = along;
-    solver->particles().vy[0] = -down;
+    solver->particles().velocity[0].x = along;
+    solver->particles().velocity[0].y = -down;
     EXPECT_FALSE(solver->advance(steps));
     EXPECT_EQ(solver->contactCount(), 1);
-    return std::abs(solver->particles().vx[0] + r * solver->particles().spin[0] - exact.velocityAt(time));
+    return std::abs(solver->particles().velocity[0].x + r * solver->particles().spin[0] -
+                    exact.velocityAt(time));
   };
   const double order = GetParam() == Integrator::rk4 ? 4.0 : 2.0;
   for (const int steps : {8, 16}) {
@@ -128,13 +129,14 @@ TEST_P(Friction, ObliquePairThatSticks) {
   const auto solver = solverAt(scene_, {{0.0, 0.0}, {0.0, scene_.particles.diameter + 1e-8}});
   Particles& p = solver->particles();
   constexpr double vx = 0.015, vy = 0.02;
-  p.vx[1] = vx / 2.0, p.vx[0] = -vx / 2.0;
-  p.vy[1] = -vy / 2.0, p.vy[0] = vy / 2.0;
+  p.velocity[1].x = vx / 2.0, p.velocity[0].x = -vx / 2.0;
+  p.velocity[1].y = -vy / 2.0, p.velocity[0].y = vy / 2.0;
   ASSERT_FALSE(solver->advance(700));
   ASSERT_EQ(solver->contactCount(), 0);
-  EXPECT_NEAR(p.vx[1], vx / 2.0 * (1.0 - 2.0 / 7.0 * 1.9), 1e-3 * vx);
-  EXPECT_NEAR(p.vx[0], -p.vx[1], 1e-12);
-  EXPECT_DOUBLE_EQ(p.spin[0], p.spin[1]);
+  const Particles after = inOrderOfIds(p);
+  EXPECT_NEAR(after.velocity[1].x, vx / 2.0 * (1.0 - 2.0 / 7.0 * 1.9), 1e-3 * vx);
+  EXPECT_NEAR(after.velocity[0].x, -after.velocity[1].x, 1e-12);
+  EXPECT_DOUBLE_EQ(after.spin[0], after.spin[1]);
 }
 
 INSTANTIATE_TEST_SUITE_P(Integrators, Friction, testing::Values(Integrator::velocityVerlet, Integrator::rk4),

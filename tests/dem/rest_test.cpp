@@ -19,12 +19,12 @@ void expectStackAtRest(Integrator integrator, int count, double seconds) {
   for (int i = 0; i < count; ++i) positions.push_back({0.0, (0.5 + i) * d});
   const auto solver = solverAt(scene, positions, wideFloor());
   ASSERT_FALSE(solver->advance(std::llround(seconds / scene.time.step)));
-  const Particles& p = solver->particles();
+  const Particles p = inOrderOfIds(solver->particles());
   const double sag = weight / scene.contacts.stiffness;
   for (int i = 0; i < count; ++i) {
-    const double below = i == 0 ? -d / 2.0 : p.y[i - 1];
-    EXPECT_NEAR(d - (p.y[i] - below), (count - i) * sag, 1e-6 * sag) << "particle " << i;
-    EXPECT_NEAR(p.vy[i], 0.0, 1e-9);
+    const double below = i == 0 ? -d / 2.0 : p.position[i - 1].y;
+    EXPECT_NEAR(d - (p.position[i].y - below), (count - i) * sag, 1e-6 * sag) << "particle " << i;
+    EXPECT_NEAR(p.velocity[i].y, 0.0, 1e-9);
   }
   EXPECT_EQ(solver->contactCount(), count);
 }
@@ -49,7 +49,7 @@ TEST(Rest, SphereRollsDownAnIncline) {
   const auto solver = solverAt(scene, {(r - sag) * up}, {{2.0 * down, -2.0 * down}});
   ASSERT_FALSE(solver->advance(20000));
   const Particles& p = solver->particles();
-  const double speed = dot(Vec2{p.vx[0], p.vy[0]}, down);
+  const double speed = dot(p.velocity[0], down);
   const double expected = 5.0 / 7.0 * scene.gravity * std::sin(slope) * 0.2;
   EXPECT_NEAR(speed, expected, 1e-3 * expected);
   EXPECT_NEAR(p.spin[0], speed / r, 1e-3 * expected / r);

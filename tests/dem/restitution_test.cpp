@@ -23,18 +23,14 @@ std::unique_ptr<ParticleSolver> headOn(const Scene& scene, double gap, double sp
   const Vec2 along{0.6, 0.8};
   auto solver = solverAt(scene, {{0.0, 0.0}, distance * along});
   Particles& p = solver->particles();
-  for (const int i : {0, 1}) {
-    p.vx[i] = (i == 0 ? 0.5 : -0.5) * speed * along.x;
-    p.vy[i] = (i == 0 ? 0.5 : -0.5) * speed * along.y;
-  }
+  p.velocity = {0.5 * speed * along, -0.5 * speed * along};
   return solver;
 }
 
-double distance(const Particles& p) { return std::hypot(p.x[1] - p.x[0], p.y[1] - p.y[0]); }
-
 /// Speed at which the two part, m/s; negative while they approach.
 double parting(const Particles& p) {
-  return ((p.x[1] - p.x[0]) * (p.vx[1] - p.vx[0]) + (p.y[1] - p.y[0]) * (p.vy[1] - p.vy[0])) / distance(p);
+  const Vec2 apart = p.position[1] - p.position[0];
+  return dot(apart, p.velocity[1] - p.velocity[0]) / norm(apart);
 }
 
 double pairRebound(const Scene& scene, double gap) {
@@ -47,9 +43,9 @@ double pairRebound(const Scene& scene, double gap) {
 double wallRebound(const Scene& scene, double gap) {
   constexpr double speed = 0.2;
   const auto solver = solverAt(scene, {{0.0, scene.particles.diameter / 2.0 + gap}}, wideFloor());
-  solver->particles().vy[0] = -speed;
+  solver->particles().velocity[0].y = -speed;
   EXPECT_FALSE(solver->advance(std::llround(0.003 / scene.time.step)));
-  return solver->particles().vy[0] / speed;
+  return solver->particles().velocity[0].y / speed;
 }
 
 class Restitution : public testing::TestWithParam<Integrator> {
@@ -98,7 +94,8 @@ TEST_P(Restitution, OrderWithinAContact) {
     const auto solver = headOn(scene_, -overlap, speed);
     EXPECT_FALSE(solver->advance(steps));
     EXPECT_EQ(solver->contactCount(), 1);
-    const double depth = scene_.particles.diameter - distance(solver->particles());
+    const Particles& p = solver->particles();
+    const double depth = scene_.particles.diameter - norm(p.position[1] - p.position[0]);
     return std::max(std::abs(depth - exact.displacementAt(time)) * exact.frequency(),
                     std::abs(-parting(solver->particles()) - exact.velocityAt(time)));
   };

@@ -25,7 +25,7 @@ Push pushAt(Vec2 centre, const std::vector<WallSegment>& walls) {
   scene.time.step = 1e-9;
   const auto solver = solverAt(scene, {centre}, walls);
   EXPECT_FALSE(solver->advance(1));
-  return {solver->contactCount(), {solver->particles().vx[0], solver->particles().vy[0]}};
+  return {solver->contactCount(), solver->particles().velocity[0]};
 }
 
 /// The speed one contact of this depth (m) gives in the one step.
@@ -81,14 +81,14 @@ TEST_P(Corner, SphereGlidesOverTheOuterCorner) {
   scene.contacts.restitution = 1.0;
   scene.gravity = 9.81;
   const auto solver = solverAt(scene, {{0.014, 0.01399}}, walls_);
-  solver->particles().vx[0] = -0.03;
+  solver->particles().velocity[0].x = -0.03;
   const auto energy = [&] {
     return solver->kineticEnergy() + solver->elasticEnergy() + solver->potentialEnergy();
   };
   ASSERT_FALSE(solver->advance(0));
   const double start = energy();
   std::int64_t most = 0;
-  while (solver->particles().y[0] > 0.0115) {
+  while (solver->particles().position[0].y > 0.0115) {
     ASSERT_FALSE(solver->advance(1));
     most = std::max(most, solver->contactCount());
   }

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: MIT
+#include "engine/dem/contact_forces.h"
+
+#include <cmath>
+
+namespace bedmix {
+
+namespace {
+
+/// Keeps the deepest contact of a block; `distance2(slot)` is asked only where there is a deeper one.
+template <class Distance2>
+void watch(const BedState& bed, ContactBlock& block, const ContactSlots& slots, double reach,
+           const KernelReport& report, Distance2&& distance2) {
+  block.touching += report.touching;
+  const double record = reach - block.deepest;
+  if (!(report.closest2 < record * record)) return;
+  block.deepest = reach - std::sqrt(report.closest2);
+  for (std::size_t c = 0; c < slots.count; ++c)
+    if (distance2(c) == report.closest2) block.deepestId = bed.particles.id[slots.first[c]];
+}
+
+void watchPairs(const BedState& bed, ContactBlock& block, const ContactSlots& slots, const Motion& at,
+                double reach, const KernelReport& report) {
+  watch(bed, block, slots, reach, report, [&](std::size_t c) {
+    const Vec2 apart = at.position[slots.second[c]] - at.position[slots.first[c]];
+    return dot(apart, apart);
+  });
+}
+
+}  // namespace
+
+ContactForces::ContactForces(const Scene& scene, double halfStep) {
+  const double radius = scene.particles.diameter / 2.0;
+  const bool friction = scene.contacts.friction.has_value();
+  pair_ = {pairLaw(scene), radius, halfStep, friction};
+  wall_ = {wallLaw(scene), radius, halfStep, friction};
+}
+
+void ContactForces::addNear(BedState& bed, ContactBlock& block, const Motion& at, const Tangential& t) const {
+  const ContactSlots& s = block.near;
+  const KernelReport report =
+      pair_.pairs(at, {s.first.data(), s.second.data(), s.count}, t, bed.loads.data());
+  watchPairs(bed, block, s, at, pair_.law.reach, report);
+}
+
+void ContactForces::addCrossing(BedState& bed, ContactBlock& block, const Motion& at,
+                                const Tangential& t) const {
+  const ContactSlots& s = block.crossing;
+  if (s.count == 0) return;
+  const KernelReport report = pair_.crossing(at, {s.first.data(), s.second.data(), s.count}, t,
+                                             bed.loads.data(), block.crossingLoads.data());
+  watchPairs(bed, block, s, at, pair_.law.reach, report);
+}
+
+void ContactForces::addWall(BedState& bed, ContactBlock& block, const ContactBlock::AtWall& w,
+                            const Motion& at, const Tangential& t) const {
+  const ContactSlots& s = w.slots;
+  if (s.count == 0) return;
+  const WallShape& wall = bed.contacts.walls()[w.wall];
+  const KernelReport report = wall_.wall(at, wall, s.first.data(), s.count, t, bed.loads.data());
+  watch(bed, block, s, wall_.law.reach, report, [&](std::size_t c) {
+    Vec2 point;
+    const Vec2 centre = at.position[s.first[c]];
+    return wall.touchPoint(centre, point) ? dot(point - centre, point - centre) : -1.0;
+  });
+}
+
+void ContactForces::addIncoming(BedState& bed, std::size_t block) {
+  for (const ContactBlock::Incoming& in : bed.contacts.block(block).incoming)
+    bed.loads[in.particle] += bed.contacts.block(in.block).crossingLoads[in.row];
+}
+
+}  // namespace bedmix

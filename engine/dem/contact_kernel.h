@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "engine/core/vec2.h"
+#include "engine/dem/contact_law.h"
+#include "engine/dem/load.h"
+#include "engine/dem/wall_shape.h"
+
+#include <cstddef>
+#include <cstdint>
+
+// The loops over contacts, in vectors. Arrays of contacts are padded to whole vectors of eight; what stands
+// in the padding must be valid indices of the same block of particles.
+
+namespace bedmix {
+
+/// Where forces are evaluated: one value a particle, m, m/s, rad/s (null without friction).
+struct Motion {
+  const Vec2* position;
+  const Vec2* velocity;
+  const double* spin;
+};
+
+/// Pairs that may touch, side by side.
+struct PairIndices {
+  const std::int32_t* first;
+  const std::int32_t* second;
+  std::size_t count;
+};
+
+/// Tangential spring (m, along t = (-n_y, n_x), n to the other) and slip (m/s) of each contact before and
+/// after; 0 for who does not touch. Both may be the same arrays. Null without friction.
+struct Tangential {
+  const double* spring;
+  const double* slip;
+  double* newSpring;
+  double* newSlip;
+};
+
+struct KernelReport {
+  double closest2;       // m2, smallest squared distance of those that touch; reach^2 without any
+  std::size_t touching;  // contacts
+};
+
+/// A spring grows by halfStep (s) times its old and its new slip; at Coulomb's limit it is set so that spring
+/// and dashpot together give just that. Without friction there is no tangential force, torque or spring.
+struct ContactKernel {
+  SpringDashpot law;
+  double radius;    // m
+  double halfStep;  // s
+  bool friction;
+
+  /// Adds to both particles' loads.
+  KernelReport pairs(const Motion& at, const PairIndices& pairs, const Tangential& t, Load* loads) const;
+  /// Adds to the first particles' loads; what the second get goes to `second`, one a pair.
+  KernelReport crossing(const Motion& at, const PairIndices& pairs, const Tangential& t, Load* loads,
+                        Load* second) const;
+  /// Particles at one wall.
+  KernelReport wall(const Motion& at, const WallShape& wall, const std::int32_t* particle, std::size_t count,
+                    const Tangential& t, Load* loads) const;
+};
+
+}  // namespace bedmix

@@ -1,0 +1,249 @@
+// SPDX-License-Identifier: MIT
+#include "engine/dem/contact_list.h"
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+
+namespace bedmix {
+
+namespace {
+
+constexpr double skinOverDiameter = 0.4;        // measured, see assets/docs/performance.md
+constexpr double innerSkinOverDiameter = 0.06;  // likewise
+constexpr double leastRemainder = 0.125;  // of the skin; with less left a new list is cheaper than measuring
+constexpr std::size_t vector = 8;         // the longest vector, in doubles
+
+template <class T>
+void atLeast(std::vector<T>& values, std::size_t size) {
+  if (values.size() < size) values.resize(size);
+}
+
+}  // namespace
+
+void ContactSlots::reserve(std::size_t slots, bool withSecond, bool withHistory) {
+  const std::size_t size = slots + vector;
+  atLeast(first, size);
+  if (withSecond) atLeast(second, size);
+  if (!withHistory) return;
+  atLeast(spring, size);
+  atLeast(slip, size);
+}
+
+void ContactSlots::pad(std::int32_t own) {
+  std::fill_n(first.begin() + static_cast<std::ptrdiff_t>(count), vector, own);
+  if (!second.empty()) std::fill_n(second.begin() + static_cast<std::ptrdiff_t>(count), vector, own);
+  if (spring.empty()) return;
+  std::fill_n(spring.begin() + static_cast<std::ptrdiff_t>(count), vector, 0.0);
+  std::fill_n(slip.begin() + static_cast<std::ptrdiff_t>(count), vector, 0.0);
+}
+
+ContactList::ContactList(double diameter, const std::vector<WallSegment>& walls, std::size_t particles,
+                         bool friction)
+    : diameter_(diameter),
+      skin_(skinOverDiameter * diameter),
+      innerSkin_(innerSkinOverDiameter * diameter),
+      friction_(friction),
+      walls_(wallShapes(walls)),
+      order_(diameter_ + skin_),
+      blocks_(blocksOf(particles)) {
+  for (std::size_t b = 0; b < blocks_.size(); ++b) {
+    blocks_[b].particles = blockOf(particles, blocks_.size(), b);
+    for (std::size_t w = 0; w < walls_.size(); ++w) blocks_[b].walls.push_back({w, {}});
+  }
+}
+
+bool ContactList::sort(const std::vector<Vec2>& position) {
+  if (!order_.sort(position)) return false;
+  if (friction_) rememberContacts();
+  built_.resize(position.size());
+  ++builds_;
+  return true;
+}
+
+// By first ones in the new order: a counting sort again.
+void ContactList::rememberContacts() {
+  const std::vector<std::int32_t>& order = order_.order();
+  placeOf_.resize(order.size());
+  for (std::size_t k = 0; k < order.size(); ++k) placeOf_[order[k]] = static_cast<std::int32_t>(k);
+
+  const auto forContacts = [&](auto&& visit) {
+    const auto forSlots = [&](const ContactSlots& s, std::int32_t wall) {
+      for (std::size_t c = 0; c < s.count; ++c) {
+        if (s.spring[c] == 0.0 && s.slip[c] == 0.0) continue;
+        std::int32_t first = placeOf_[s.first[c]], second = wall;
+        if (wall == 0) {
+          second = placeOf_[s.second[c]];
+          // The spring is along t, which turns with n, and so does what it pulls at: its sign stays.
+          if (second < first) std::swap(first, second);
+        }
+        visit(Contact{first, second, s.spring[c], s.slip[c]});
+      }
+    };
+    for (const ContactBlock& block : blocks_) {
+      forSlots(block.near, 0);
+      forSlots(block.crossing, 0);
+      for (const ContactBlock::AtWall& w : block.walls)
+        forSlots(w.slots, -1 - static_cast<std::int32_t>(w.wall));
+    }
+  };
+  rememberedStart_.assign(order.size() + 1, 0);
+  forContacts([&](const Contact& c) { ++rememberedStart_[c.first]; });
+  std::int32_t end = 0;
+  for (std::int32_t& s : rememberedStart_) s = end += s;
+  remembered_.resize(static_cast<std::size_t>(end));
+  forContacts([&](const Contact& c) { remembered_[--rememberedStart_[c.first]] = c; });
+}
+
+const ContactList::Contact* ContactList::remembered(std::int32_t first, std::int32_t second) const {
+  for (std::int32_t c = rememberedStart_[first]; c < rememberedStart_[first + 1]; ++c)
+    if (remembered_[c].second == second) return &remembered_[c];
+  return nullptr;
+}
+
+void ContactList::find(std::size_t b, const std::vector<Vec2>& position, ContactSlots& spare) {
+  ContactBlock& block = blocks_[b];
+  findPairs(block, position);
+  findWalls(block, position);
+  std::copy(position.begin() + static_cast<std::ptrdiff_t>(block.particles.begin),
+            position.begin() + static_cast<std::ptrdiff_t>(block.particles.end),
+            built_.begin() + static_cast<std::ptrdiff_t>(block.particles.begin));
+
+  block.near.count = 0;
+  refresh(b, position, spare);
+  if (!friction_) return;
+  recall(block.near, 0);
+  recall(block.crossing, 0);
+  for (ContactBlock::AtWall& w : block.walls) recall(w.slots, -1 - static_cast<std::int32_t>(w.wall));
+}
+
+void ContactList::findPairs(ContactBlock& block, const std::vector<Vec2>& position) {
+  const double reach = diameter_ + skin_;
+  std::vector<ContactBlock::Pair>& inside = block.candidates;
+  ContactSlots& crossing = block.crossing;
+  std::size_t& count = block.candidateCount;
+  count = 0;
+  crossing.count = 0;
+  const auto scan = [&](std::size_t i, Range others) {
+    const Range here{others.begin, std::min(others.end, block.particles.end)};
+    if (here.begin < here.end && count + here.size() > inside.size())
+      inside.resize(inside.size() + here.size() + block.particles.size() / 4);
+    for (std::size_t j = here.begin; j < here.end; ++j) {
+      const Vec2 apart = position[j] - position[i];
+      inside[count] = {static_cast<std::int32_t>(i), static_cast<std::int32_t>(j)};
+      count += static_cast<std::size_t>(dot(apart, apart) < reach * reach);
+    }
+    for (std::size_t j = std::max(others.begin, block.particles.end); j < others.end; ++j) {
+      const Vec2 apart = position[j] - position[i];
+      if (!(dot(apart, apart) < reach * reach)) continue;
+      crossing.reserve(crossing.count + 1 + crossing.count / 2, true, friction_);
+      crossing.first[crossing.count] = static_cast<std::int32_t>(i);
+      crossing.second[crossing.count++] = static_cast<std::int32_t>(j);
+    }
+  };
+  order_.forNeighbours(block.particles, [&](std::size_t i, Range sameStrip, Range nextStrip) {
+    scan(i, sameStrip);
+    scan(i, nextStrip);
+  });
+  crossing.reserve(crossing.count, true, friction_);
+  crossing.pad(static_cast<std::int32_t>(block.particles.begin));
+  atLeast(block.crossingLoads, crossing.count + vector);
+}
+
+void ContactList::findWalls(ContactBlock& block, const std::vector<Vec2>& position) {
+  const double reach = diameter_ / 2.0 + skin_;
+  for (ContactBlock::AtWall& w : block.walls) {
+    ContactSlots& slots = w.slots;
+    slots.count = 0;
+    for (std::size_t i = block.particles.begin; i < block.particles.end; ++i) {
+      if (!(walls_[w.wall].distance2(position[i]) < reach * reach)) continue;
+      slots.reserve(slots.count + 1 + slots.count / 2, false, friction_);
+      slots.first[slots.count++] = static_cast<std::int32_t>(i);
+    }
+    slots.reserve(slots.count, false, friction_);
+    slots.pad(static_cast<std::int32_t>(block.particles.begin));
+  }
+}
+
+void ContactList::recall(ContactSlots& slots, std::int32_t wall) const {
+  for (std::size_t c = 0; c < slots.count; ++c) {
+    const Contact* old = remembered(slots.first[c], wall == 0 ? slots.second[c] : wall);
+    slots.spring[c] = old ? old->spring : 0.0;
+    slots.slip[c] = old ? old->slip : 0.0;
+  }
+}
+
+void ContactList::link() {
+  for (ContactBlock& block : blocks_) block.incoming.clear();
+  for (std::size_t b = 0; b < blocks_.size(); ++b) {
+    const ContactSlots& crossing = blocks_[b].crossing;
+    for (std::size_t row = 0; row < crossing.count; ++row) {
+      const std::int32_t particle = crossing.second[row];
+      std::size_t to = b + 1;
+      while (static_cast<std::size_t>(particle) >= blocks_[to].particles.end) ++to;
+      blocks_[to].incoming.push_back(
+          {static_cast<std::int32_t>(b), static_cast<std::int32_t>(row), particle});
+    }
+  }
+}
+
+// No branch: who is near is packed to the front, and the old ones are met in the same order.
+void ContactList::refresh(std::size_t b, const std::vector<Vec2>& position, ContactSlots& spare) {
+  ContactBlock& block = blocks_[b];
+  std::swap(block.near, spare);
+  const ContactSlots& old = spare;
+  ContactSlots& near = block.near;
+  near.reserve(block.candidateCount, true, friction_);
+  const std::span candidates(block.candidates.data(), block.candidateCount);
+  const double reach = diameter_ + innerSkin_;
+  std::size_t count = 0;
+  if (friction_ && old.count > 0) {
+    std::size_t o = 0;
+    for (const auto& [i, j] : candidates) {
+      const Vec2 apart = position[j] - position[i];
+      const bool known = old.first[o] == i && old.second[o] == j && o < old.count;
+      near.first[count] = i;
+      near.second[count] = j;
+      near.spring[count] = known ? old.spring[o] : 0.0;
+      near.slip[count] = known ? old.slip[o] : 0.0;
+      o += static_cast<std::size_t>(known);
+      count += static_cast<std::size_t>(dot(apart, apart) < reach * reach);
+    }
+  } else {
+    for (const auto& [i, j] : candidates) {
+      const Vec2 apart = position[j] - position[i];
+      near.first[count] = i;
+      near.second[count] = j;
+      count += static_cast<std::size_t>(dot(apart, apart) < reach * reach);
+    }
+    if (friction_) {
+      std::fill_n(near.spring.begin(), count, 0.0);
+      std::fill_n(near.slip.begin(), count, 0.0);
+    }
+  }
+  near.count = count;
+  near.pad(static_cast<std::int32_t>(block.particles.begin));
+}
+
+void ContactList::Displacements::add(double square) {
+  if (square <= second) return;
+  second = std::min(largest, square);
+  largest = std::max(largest, square);
+}
+
+ContactList::Displacements ContactList::displacements(Range particles,
+                                                      const std::vector<Vec2>& position) const {
+  Displacements d;
+  for (std::size_t i = particles.begin; i < particles.end; ++i) {
+    const Vec2 moved = position[i] - built_[i];
+    d.add(dot(moved, moved));
+  }
+  return d;
+}
+
+double ContactList::remainder(const Displacements& d) const {
+  const double left = skin_ - std::sqrt(d.largest) - std::sqrt(d.second);
+  return left < leastRemainder * skin_ ? -1.0 : left;
+}
+
+}  // namespace bedmix

@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "engine/core/blocks.h"
+#include "engine/core/vec2.h"
+#include "engine/dem/cell_order.h"
+#include "engine/dem/load.h"
+#include "engine/dem/wall_shape.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace bedmix {
+
+/// Pairs of particles, or particles at one wall, that may touch, side by side, with the history of those that
+/// do: contacts keep it where they stand. Padded to whole vectors.
+struct ContactSlots {
+  std::vector<std::int32_t> first, second;  // places in memory, first < second; at a wall first alone
+  std::vector<double> spring, slip;         // m and m/s, 0 for who does not touch; empty without friction
+  std::size_t count = 0;
+
+  /// Room for as many, whole vectors.
+  void reserve(std::size_t slots, bool withSecond, bool withHistory);
+  /// Fills the last vector up with `own`, any particle of the block.
+  void pad(std::int32_t own);
+};
+
+/// Contacts of one block of particles, so that whoever works on a block writes to nobody else's.
+struct ContactBlock {
+  struct Pair {
+    std::int32_t first, second;
+  };
+  /// A row of a crossing contact, and the particle here that gets it.
+  struct Incoming {
+    std::int32_t block, row, particle;
+  };
+  struct AtWall {
+    std::size_t wall = 0;
+    ContactSlots slots;
+  };
+
+  Range particles;
+  std::vector<Pair> candidates;  // within the skin, both in the block; the first `candidateCount` are valid
+  std::size_t candidateCount = 0;
+  ContactSlots near;                // those of them within the inner skin
+  ContactSlots crossing;            // within the skin, the second in a later block
+  std::vector<Load> crossingLoads;  // on the second ones
+  std::vector<Incoming> incoming;   // what this block gets from earlier ones, in their order
+  std::vector<AtWall> walls;
+
+  std::size_t touching = 0;  // at the last evaluation
+  double deepest = 0.0;      // overlap so far, m
+  std::int64_t deepestId = -1;
+};
+
+/// What the skins have left, m.
+struct SkinBudget {
+  double outer = 0.0, inner = 0.0;
+  void spend(double distance) {
+    outer -= 2.0 * distance;
+    inner -= 2.0 * distance;
+  }
+};
+
+/// Verlet's list, twice: candidates closer than a diameter plus a skin, and of these again and again the few
+/// closer than a diameter plus a much smaller inner skin, which are all that a step looks at. Either holds
+/// while the two largest displacements since it was made add up to less than its skin; 2 v_max dt is their
+/// bound after Tian et al. (2007), Eq. (11). Pairs ascend in memory, and sums over them with them.
+class ContactList {
+ public:
+  ContactList(double diameter, const std::vector<WallSegment>& walls, std::size_t particles, bool friction);
+
+  std::size_t blocks() const { return blocks_.size(); }
+  ContactBlock& block(std::size_t b) { return blocks_[b]; }
+  const ContactBlock& block(std::size_t b) const { return blocks_[b]; }
+  const std::vector<WallShape>& walls() const { return walls_; }
+  std::int64_t builds() const { return builds_; }
+
+  /// A new list is made in four calls, each once all members have done the last one: sort() by one of them,
+  /// who then moves particles to their new order() unless it is false, not all being at finite places; find()
+  /// for each block; link() by one; and refresh() is done.
+  bool sort(const std::vector<Vec2>& position);
+  const std::vector<std::int32_t>& order() const { return order_.order(); }
+  void find(std::size_t block, const std::vector<Vec2>& position, ContactSlots& spare);
+  void link();
+  /// Picks those within the inner skin anew. `spare` lends its memory; one a member.
+  void refresh(std::size_t block, const std::vector<Vec2>& position, ContactSlots& spare);
+
+  SkinBudget fullBudget() const { return {skin_, innerSkin_}; }
+  /// Squares of the two largest displacements in a block since the list was made.
+  struct Displacements {
+    double largest = 0.0, second = 0.0;
+    void add(double square);
+  };
+  Displacements displacements(Range particles, const std::vector<Vec2>& position) const;
+  /// What is left of the skin after that; negative where it is too little to go on with.
+  double remainder(const Displacements& d) const;
+
+ private:
+  struct Contact {
+    std::int32_t first, second;  // places in the new order; second is -1 - wall at a wall
+    double spring, slip;
+  };
+  void rememberContacts();
+  const Contact* remembered(std::int32_t first, std::int32_t second) const;
+  void findPairs(ContactBlock& block, const std::vector<Vec2>& position);
+  void findWalls(ContactBlock& block, const std::vector<Vec2>& position);
+  void recall(ContactSlots& slots, std::int32_t wall) const;
+
+  double diameter_, skin_, innerSkin_;
+  bool friction_;
+  std::int64_t builds_ = 0;
+  std::vector<WallShape> walls_;
+  CellOrder order_;
+  std::vector<ContactBlock> blocks_;
+  std::vector<Vec2> built_;  // where the particles were when the list was made
+  std::vector<Contact> remembered_;
+  std::vector<std::int32_t> rememberedStart_;  // of each first, and one past the last
+  std::vector<std::int32_t> placeOf_;          // in the new order, by the old one
+};
+
+}  // namespace bedmix

@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: MIT
+#include "engine/dem/motion_kernel.h"
+
+#include <limits>
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "engine/dem/motion_kernel.cpp"
+#include <hwy/foreach_target.h>
+// After foreach_target.h.
+#include <hwy/highway.h>
+
+HWY_BEFORE_NAMESPACE();
+namespace bedmix::HWY_NAMESPACE {
+
+namespace {
+
+namespace hn = hwy::HWY_NAMESPACE;
+
+template <class D>
+struct Plane {
+  hn::Vec<D> x, y;
+};
+
+template <class D>
+HWY_INLINE Plane<D> load(D d, const Vec2* from) {
+  Plane<D> p;
+  if constexpr (hn::MaxLanes(D()) == 1) {
+    p.x = hn::LoadU(d, &from->x);
+    p.y = hn::LoadU(d, &from->y);
+  } else {
+    hn::LoadInterleaved2(d, &from->x, p.x, p.y);
+  }
+  return p;
+}
+
+template <class D>
+HWY_INLINE void store(D d, const Plane<D>& p, Vec2* to) {
+  if constexpr (hn::MaxLanes(D()) == 1) {
+    hn::StoreU(p.x, d, &to->x);
+    hn::StoreU(p.y, d, &to->y);
+  } else {
+    hn::StoreInterleaved2(p.x, p.y, d, &to->x);
+  }
+}
+
+template <class D>
+HWY_INLINE Plane<D> add(const Plane<D>& a, const Plane<D>& b) {
+  return {hn::Add(a.x, b.x), hn::Add(a.y, b.y)};
+}
+
+template <class D>
+HWY_INLINE Plane<D> scale(hn::Vec<D> s, const Plane<D>& a) {
+  return {hn::Mul(s, a.x), hn::Mul(s, a.y)};
+}
+
+/// What happens to a vector of particles.
+template <bool turns, bool dragged, bool kicks, bool drifts>
+class Mover {
+ public:
+  explicit Mover(const MotionKernel& k) : k_(k) {}
+
+  /// Those from `i` on, as many as D has lanes; the larger of `fastest2` and their squared speeds.
+  template <class D>
+  HWY_INLINE hn::Vec<D> move(D d, std::size_t i, hn::Vec<D> fastest2) const {
+    const auto one = hn::Set(d, 1.0), half = hn::Set(d, 0.5 * k_.step), zero = hn::Zero(d);
+    hn::Vec<D> torque = zero;
+    Plane<D> force = loads(d, i, torque);
+    auto braking = zero;  // dt/2 drag/m
+    if constexpr (dragged) {
+      force = add(force, load(d, k_.external + i));
+      braking = hn::Mul(hn::Mul(half, hn::LoadU(d, k_.drag + i)), hn::Set(d, k_.perMass));
+    }
+    Plane<D> gain = scale<D>(hn::Set(d, k_.perMass), force);
+    gain.y = hn::Sub(gain.y, hn::Set(d, k_.gravity));
+    gain = scale<D>(half, gain);
+    Plane<D> v = load(d, k_.velocity + i);
+    if constexpr (kicks) {
+      if constexpr (dragged) v = scale<D>(hn::Sub(one, braking), v);
+      v = add(v, gain);
+    }
+    if constexpr (drifts) {
+      const Plane<D> start = v;
+      v = add(v, gain);
+      if constexpr (dragged) v = scale<D>(hn::Div(one, hn::Add(one, braking)), v);
+      store(d, add(load(d, k_.position + i), scale<D>(hn::Set(d, k_.step), v)), k_.position + i);
+      Plane<D> ahead = add(v, gain);
+      if constexpr (dragged)
+        ahead = {hn::Sub(hn::Add(v.x, v.x), start.x), hn::Sub(hn::Add(v.y, v.y), start.y)};
+      store(d, ahead, k_.ahead + i);
+      clear(d, i);
+    }
+    store(d, v, k_.velocity + i);
+    if constexpr (turns) turn(d, i, torque);
+
+    const auto speed2 = hn::Add(hn::Mul(v.x, v.x), hn::Mul(v.y, v.y));
+    const auto huge = hn::Set(d, std::numeric_limits<double>::max());
+    const auto infinite = hn::Set(d, std::numeric_limits<double>::infinity());
+    return hn::Max(fastest2, hn::IfThenElse(hn::Le(speed2, huge), speed2, infinite));
+  }
+
+ private:
+  template <class D>
+  HWY_INLINE Plane<D> loads(D d, std::size_t i, hn::Vec<D>& torque) const {
+    Plane<D> force;
+    const double* const from = &k_.loads[i].force.x;
+    if constexpr (hn::MaxLanes(D()) == 1) {
+      force = {hn::LoadU(d, from), hn::LoadU(d, from + 1)};
+      torque = hn::LoadU(d, from + 2);
+    } else {
+      hn::Vec<D> unused;
+      hn::LoadInterleaved4(d, from, force.x, force.y, torque, unused);
+    }
+    return force;
+  }
+
+  template <class D>
+  HWY_INLINE void clear(D d, std::size_t i) const {
+    double* const to = &k_.loads[i].force.x;
+    for (std::size_t part = 0; part < 4; ++part) hn::StoreU(hn::Zero(d), d, to + part * hn::MaxLanes(d));
+  }
+
+  template <class D>
+  HWY_INLINE void turn(D d, std::size_t i, hn::Vec<D> torque) const {
+    const auto gain = hn::Mul(hn::Set(d, 0.5 * k_.step * k_.perInertia), torque);
+    auto spin = hn::LoadU(d, k_.spin + i);
+    if constexpr (kicks) spin = hn::Add(spin, gain);
+    if constexpr (drifts) {
+      spin = hn::Add(spin, gain);
+      hn::StoreU(hn::Add(spin, gain), d, k_.spinAhead + i);
+    }
+    hn::StoreU(spin, d, k_.spin + i);
+  }
+
+  MotionKernel k_;
+};
+
+template <bool turns, bool dragged, bool kicks, bool drifts>
+double moveAll(const MotionKernel& kernel, Range particles) {
+  const Mover<turns, dragged, kicks, drifts> mover(kernel);
+  const hn::ScalableTag<double> d;
+  const hn::CappedTag<double, 1> single;
+  auto fastest2 = hn::Zero(d);
+  std::size_t i = particles.begin;
+  for (; i + hn::Lanes(d) <= particles.end; i += hn::Lanes(d)) fastest2 = mover.move(d, i, fastest2);
+  auto last = hn::Set(single, hn::GetLane(hn::MaxOfLanes(d, fastest2)));
+  for (; i < particles.end; ++i) last = mover.move(single, i, last);
+  return hn::GetLane(last);
+}
+
+template <bool kicks, bool drifts>
+double choose(const MotionKernel& k, Range particles) {
+  const bool turns = k.spin != nullptr, dragged = k.external != nullptr;
+  const auto chosen =
+      turns ? (dragged ? moveAll<true, true, kicks, drifts> : moveAll<true, false, kicks, drifts>)
+            : (dragged ? moveAll<false, true, kicks, drifts> : moveAll<false, false, kicks, drifts>);
+  return chosen(k, particles);
+}
+
+}  // namespace
+
+double drift(const MotionKernel& k, Range particles) { return choose<false, true>(k, particles); }
+double kick(const MotionKernel& k, Range particles) { return choose<true, false>(k, particles); }
+double kickAndDrift(const MotionKernel& k, Range particles) { return choose<true, true>(k, particles); }
+
+}  // namespace bedmix::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace bedmix {
+
+HWY_EXPORT(drift);
+HWY_EXPORT(kick);
+HWY_EXPORT(kickAndDrift);
+
+double MotionKernel::drift(Range particles) const { return HWY_DYNAMIC_DISPATCH(drift)(*this, particles); }
+double MotionKernel::kick(Range particles) const { return HWY_DYNAMIC_DISPATCH(kick)(*this, particles); }
+double MotionKernel::kickAndDrift(Range particles) const {
+  return HWY_DYNAMIC_DISPATCH(kickAndDrift)(*this, particles);
+}
+
+}  // namespace bedmix
+#endif
