@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "engine/gas/face_layout.h"
 
+#include <algorithm>
+
 namespace bedmix {
 
 namespace {
@@ -11,18 +13,32 @@ class Builder {
   explicit Builder(const GasGrid& grid) : g_(grid) {
     out_.columns = g_.columns;
     out_.rows = g_.rows;
-    out_.zeroFace = (g_.columns + 1) * g_.rows + g_.columns * (g_.rows + 1);
+    out_.stride = g_.columns + 1;
+    out_.size = out_.stride * (g_.rows + 3);
+    out_.families[0] = {0, 1, out_.stride, g_.rows};
+    out_.families[1] = {out_.size, out_.stride, 1, g_.rows + 1};
+    for (int i = 0; i < g_.columns; ++i) out_.width.push_back(g_.dx(i));
+    for (int j = 0; j < g_.rows; ++j) out_.height.push_back(g_.dy(j));
+    const auto faces = static_cast<std::size_t>(out_.faces()), places = static_cast<std::size_t>(out_.size);
+    for (auto* field :
+         {&out_.faceArea, &out_.solved, &out_.alongSide, &out_.acrossSide, &out_.wall, &out_.weightBefore})
+      field->assign(faces, 0.0);
+    out_.volume.assign(faces, 1.0);
+    for (int f = 0; f < out_.faces(); ++f) out_.openFace.push_back(f);
+    out_.voidageCell.assign(places, 0);
+    out_.open.assign(places, 0.0);
   }
 
   FaceLayout build() {
     addCells();
-    addFaces();
+    addUprightFaces();
+    addLevelFaces();
     for (int j = 0; j < g_.rows; ++j)
       for (int i = 1; i < g_.columns; ++i)
-        if (open(i - 1, j) && open(i, j)) out_.volumes.push_back(uprightVolume(i, j));
+        if (open(i - 1, j) && open(i, j)) addUprightVolume(i, j);
     for (int j = 1; j <= g_.rows; ++j)
       for (int i = 0; i < g_.columns; ++i)
-        if (open(i, j - 1)) out_.volumes.push_back(levelVolume(i, j));
+        if (open(i, j - 1)) addLevelVolume(i, j);
     return std::move(out_);
   }
 
@@ -36,90 +52,80 @@ class Builder {
         out_.cellFaces.push_back(
             {out_.uFace(i, j), out_.uFace(i + 1, j), out_.vFace(i, j), out_.vFace(i, j + 1)});
         out_.cellVolume.push_back(g_.volume(i, j));
-        if (open(i, j)) out_.openCells.push_back(cell(i, j));
+        if (!open(i, j)) continue;
+        out_.openCells.push_back(cell(i, j));
+        out_.open[out_.at(i, j)] = g_.volume(i, j);
       }
     for (int i = 0; i < g_.columns; ++i) {
-      const int j = g_.lowestRow[i];
+      const int lowest = g_.lowestRow[i];
+      for (int j = -1; j < g_.rows; ++j) out_.voidageCell[out_.at(i, j)] = cell(i, std::max(j, lowest));
       const double area = g_.dx(i) * g_.thickness;
-      out_.floor.push_back({out_.vFace(i, j), area, g_.inletFlux[i] * area});
+      out_.floor.push_back({out_.vFace(i, lowest), cell(i, lowest), area, g_.inletFlux[i] * area});
     }
   }
 
-  /// The cells whose halves make up the volume around a face; the open one alone at a boundary.
-  FaceLayout::FaceCells halves(int i0, int j0, int i1, int j1) const {
-    if (!open(i0, j0))
-      return open(i1, j1) ? FaceLayout::FaceCells{cell(i1, j1), cell(i1, j1), 1.0} : FaceLayout::FaceCells{};
-    if (!open(i1, j1)) return {cell(i0, j0), cell(i0, j0), 1.0};
-    const double v0 = g_.volume(i0, j0), v1 = g_.volume(i1, j1);
-    return {cell(i0, j0), cell(i1, j1), v0 / (v0 + v1)};
+  /// By volume of the cells before and behind a face; the open one alone at a boundary.
+  double weightBefore(int i0, int j0, int i1, int j1) const {
+    if (!open(i0, j0)) return 0.0;
+    if (!open(i1, j1)) return 1.0;
+    const double before = g_.volume(i0, j0);
+    return before / (before + g_.volume(i1, j1));
   }
 
-  void addFaces() {
-    for (int j = 0; j < g_.rows; ++j)
-      for (int i = 0; i <= g_.columns; ++i) {
-        out_.faceArea.push_back(g_.dy(j) * g_.thickness);
-        out_.faceCells.push_back(halves(i - 1, j, i, j));
-        int lowest = j;
-        while (!open(i - 1, lowest) && !open(i, lowest)) ++lowest;
-        out_.openFace.push_back(out_.uFace(i, lowest));
+  void addUprightFaces() {
+    for (int i = 0; i <= g_.columns; ++i) {
+      const int lowest =
+          std::min(i > 0 ? g_.lowestRow[i - 1] : g_.rows, i < g_.columns ? g_.lowestRow[i] : g_.rows);
+      for (int j = -1; j < g_.rows; ++j) {
+        const int f = out_.uFace(i, j), nearest = std::max(j, lowest);
+        out_.weightBefore[f] = weightBefore(i - 1, nearest, i, nearest);
+        out_.openFace[f] = out_.uFace(i, nearest);
+        if (j >= 0) out_.faceArea[f] = g_.dy(j) * g_.thickness;
       }
-    for (int j = 0; j <= g_.rows; ++j)
-      for (int i = 0; i < g_.columns; ++i) {
-        out_.faceArea.push_back(g_.dx(i) * g_.thickness);
-        out_.faceCells.push_back(halves(i, j - 1, i, j));
-        out_.openFace.push_back(out_.vFace(i, std::max(j, g_.lowestRow[i])));
-      }
-    out_.faceArea.push_back(0.0);
-    out_.faceCells.push_back({});
-    out_.openFace.push_back(out_.zeroFace);
+    }
   }
 
-  MomentumVolume uprightVolume(int i, int j) const {
-    const FaceLayout& o = out_;
+  void addLevelFaces() {
+    for (int i = 0; i < g_.columns; ++i)
+      for (int j = 0; j <= g_.rows; ++j) {
+        const int f = out_.vFace(i, j);
+        out_.weightBefore[f] = weightBefore(i, j - 1, i, j);
+        out_.openFace[f] = out_.vFace(i, std::max(j, g_.lowestRow[i]));
+        out_.faceArea[f] = g_.dx(i) * g_.thickness;
+      }
+  }
+
+  void addVolume(const MomentumVolume& v) {
+    out_.volumes.push_back(v);
+    out_.solved[v.face] = 1.0;
+    out_.volume[v.face] = v.volume;
+  }
+
+  void addUprightVolume(int i, int j) {
     const double width = 0.5 * (g_.dx(i - 1) + g_.dx(i)), height = g_.dy(j);
-    const double endArea = height * g_.thickness, sideArea = width * g_.thickness;
-    MomentumVolume v{o.uFace(i, j), cell(i - 1, j), cell(i, j), false, endArea, width * endArea, {}};
-    v.sides[0] = {o.uFace(i - 1, j), o.uFace(i - 1, j), v.face, -1.0, endArea / g_.dx(i - 1)};
-    v.sides[1] = {o.uFace(i + 1, j), v.face, o.uFace(i + 1, j), 1.0, endArea / g_.dx(i)};
+    const double endArea = height * g_.thickness;
+    const int f = out_.uFace(i, j);
+    addVolume({f, cell(i - 1, j), cell(i, j), false, endArea, width * endArea});
+    out_.alongSide[f] = endArea / g_.dx(i - 1);
+    out_.alongSide[f + 1] = endArea / g_.dx(i);
+    // On the floor the neighbour is the face below it, which has no velocity.
     const bool onFloor = !open(i - 1, j - 1) && !open(i, j - 1);
-    v.sides[2] = {onFloor ? o.zeroFace : o.uFace(i, j - 1), o.vFace(i - 1, j), o.vFace(i, j), -1.0,
-                  sideArea / (onFloor ? 0.5 * height : 0.5 * (height + g_.dy(j - 1)))};
-    if (j + 1 < g_.rows)
-      v.sides[3] = {o.uFace(i, j + 1), o.vFace(i - 1, j + 1), o.vFace(i, j + 1), 1.0,
-                    sideArea / (0.5 * (height + g_.dy(j + 1)))};
-    else
-      v.sides[3] = {v.face, o.vFace(i - 1, j + 1), o.vFace(i, j + 1), 1.0, 0.0};
-    return v;
+    out_.acrossSide[f] = width * g_.thickness / (onFloor ? 0.5 * height : 0.5 * (height + g_.dy(j - 1)));
   }
 
-  MomentumVolume levelVolume(int i, int j) const {
-    const FaceLayout& o = out_;
+  void addLevelVolume(int i, int j) {
     const bool outlet = j == g_.rows;
-    const double below = 0.5 * g_.dy(j - 1), above = outlet ? 0.0 : 0.5 * g_.dy(j);
-    const double area = g_.dx(i) * g_.thickness;
-    MomentumVolume v{
-        o.vFace(i, j), cell(i, j - 1), outlet ? -1 : cell(i, j), true, area, area * (below + above), {}};
-    v.sides[0] = levelSide(i, j, i - 1, i, -1.0, (below + above) * g_.thickness);
-    v.sides[1] = levelSide(i, j, i + 1, i + 1, 1.0, (below + above) * g_.thickness);
-    v.sides[2] = {o.vFace(i, j - 1), o.vFace(i, j - 1), v.face, -1.0, area / g_.dy(j - 1)};
-    v.sides[3] = outlet ? MomentumSide{v.face, v.face, v.face, 1.0, 0.0}
-                        : MomentumSide{o.vFace(i, j + 1), v.face, o.vFace(i, j + 1), 1.0, area / g_.dy(j)};
-    return v;
-  }
-
-  /// Left or right side of the volume around level face (i, j): towards column `next`, through upright face
-  /// `through`.
-  MomentumSide levelSide(int i, int j, int next, int through, double outward, double area) const {
-    const FaceLayout& o = out_;
-    const bool outlet = j == g_.rows;
-    MomentumSide side;
-    side.outward = outward;
-    side.fluxA = o.uFace(through, j - 1);
-    side.fluxB = outlet ? o.zeroFace : o.uFace(through, j);
-    const bool wall = !open(next, outlet ? j - 1 : j);
-    side.neighbour = wall ? o.zeroFace : o.vFace(next, j);
-    side.conductance = area / (wall ? 0.5 * g_.dx(i) : 0.5 * (g_.dx(i) + g_.dx(next)));
-    return side;
+    const double height = 0.5 * g_.dy(j - 1) + (outlet ? 0.0 : 0.5 * g_.dy(j));
+    const double area = g_.dx(i) * g_.thickness, sideArea = height * g_.thickness;
+    const int f = out_.vFace(i, j);
+    addVolume({f, cell(i, j - 1), outlet ? -1 : cell(i, j), true, area, area * height});
+    out_.alongSide[f] = area / g_.dy(j - 1);
+    for (int next : {i - 1, i + 1}) {
+      if (open(next, outlet ? j - 1 : j))
+        out_.acrossSide[std::max(f, out_.vFace(next, j))] = sideArea / (0.5 * (g_.dx(i) + g_.dx(next)));
+      else
+        out_.wall[f] += sideArea / (0.5 * g_.dx(i));
+    }
   }
 
   const GasGrid& g_;

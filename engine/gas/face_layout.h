@@ -9,15 +9,6 @@
 
 namespace bedmix {
 
-/// One side of a momentum control volume.
-struct MomentumSide {
-  int neighbour = 0;  // face whose velocity is the neighbour's; the zero face at a no-slip wall; itself at
-                      // the outlet (zero gradient)
-  int fluxA = 0, fluxB = 0;  // faces whose mean mass flux crosses this side
-  double outward = 1.0;      // +1 where that flux counts outward as it stands, else -1
-  double conductance = 0.0;  // area over distance to the neighbour, m
-};
-
 /// The control volume around one face whose velocity is solved for.
 struct MomentumVolume {
   int face = 0;
@@ -26,43 +17,62 @@ struct MomentumVolume {
   bool vertical = false;
   double area = 0.0;    // m2
   double volume = 0.0;  // m3
-  std::array<MomentumSide, 4> sides;
 };
 
 /// A floor face and what enters there.
 struct FloorFace {
   int face = 0;
+  int cell = 0;       // the open one above
   double area = 0.0;  // m2
   double flux = 0.0;  // m3/s, upward
 };
 
-/// The staggered arrangement: one numbering for all faces, first the upright ones (x-velocity, row by row),
-/// then the level ones (y-velocity), and last one face whose velocity and flux are always zero. Everything
-/// the gas solver walks along is listed here once, so that its loops need no case distinctions for walls,
-/// risers, inlets or the outlet. Riser and wall faces keep zero velocity; the top faces belong to half-height
-/// volumes with zero gradient above.
+/// One kind of faces, upright or level ones, as the solver's loops see them. A volume has two neighbours
+/// along its velocity and two across it; a side belongs to the face above or to the right of it.
+struct FaceFamily {
+  int first = 0;   // of its faces in the numbering of all
+  int along = 0;   // from a frame place to the next along the velocity: also from cell to cell
+  int across = 0;  // and across it
+  int rows = 0;    // of faces
+};
+
+/// The staggered arrangement. Cells, upright faces and level faces each lie in a frame: row by row from
+/// below, a row below the floor and two above the outlet, one place behind each row. A cell's left and lower
+/// face have its own place. So neighbours are always the same number of places away, and whatever lies
+/// outside the gas has its place too and stays zero. Faces are numbered upright ones first; riser and wall
+/// faces keep zero velocity; the top faces belong to half-height volumes with zero gradient above.
 struct FaceLayout {
   int columns = 0, rows = 0;
-  int zeroFace = 0;  // also the number of real faces
+  int stride = 0;  // from row to row of a frame
+  int size = 0;    // of a frame
+  std::array<FaceFamily, 2> families;
   std::vector<MomentumVolume> volumes;
   std::vector<FloorFace> floor;               // one a column
   std::vector<int> openCells;                 // in cell order
   std::vector<std::array<int, 4>> cellFaces;  // per cell: left, right, bottom, top
   std::vector<double> cellVolume;             // m3
-  std::vector<double> faceArea;               // m2, 0 at the zero face
-  /// Voidage of a face = weight * voidage[cellA] + (1 - weight) * voidage[cellB]: by volume of the two half
-  /// cells.
-  struct FaceCells {
-    int a = 0, b = 0;
-    double weightA = 1.0;
-  };
-  std::vector<FaceCells> faceCells;
-  /// Per face, the face a particle takes its gas velocity from: itself, or the lowest open one of its column
-  /// where the particle dips into blocked cells.
-  std::vector<int> openFace;
+  std::vector<double> width, height;          // of columns and rows, m
 
-  int uFace(int i, int j) const { return j * (columns + 1) + i; }
-  int vFace(int i, int j) const { return (columns + 1) * rows + j * columns + i; }
+  // Per face:
+  std::vector<double> faceArea;  // m2, 0 outside the grid
+  /// The face a particle takes its gas velocity from: itself, or the lowest open one of its column where the
+  /// particle dips into blocked cells.
+  std::vector<int> openFace;
+  std::vector<double> solved;        // 1 where there is a momentum volume, else 0
+  std::vector<double> volume;        // m3; 1 where nothing is solved
+  std::vector<double> alongSide;     // lower side along: area over distance to that neighbour, m
+  std::vector<double> acrossSide;    // lower side across; 0 at walls
+  std::vector<double> wall;          // sides at walls without flow through them, m
+  std::vector<double> weightBefore;  // of the cell before in the face's voidage: by volume of the half cells
+
+  // Per place of a frame:
+  std::vector<int> voidageCell;  // whose voidage stands here: blocked cells take that of the open one above
+  std::vector<double> open;      // volume of open cells, m3, else 0
+
+  int at(int i, int j) const { return (j + 1) * stride + i; }
+  int uFace(int i, int j) const { return at(i, j); }
+  int vFace(int i, int j) const { return size + at(i, j); }
+  int faces() const { return 2 * size; }
 };
 
 FaceLayout makeFaceLayout(const GasGrid& grid);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "engine/gas/gas_solver.h"
 
+#include "engine/gas/sums.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -13,27 +15,34 @@ namespace {
 constexpr double relaxVelocity = 0.7;
 constexpr double relaxPressure = 0.3;
 
+constexpr int worthSharing = 4096;  // cells; below it waiting for each other costs more than is gained
+
+// What a pressure correction may leave of the imbalance; and of the inflow, however small the imbalance is.
+// The second of PISO's closes what the first one leaves.
+constexpr double ofImbalance = 1e-12, ofFirstImbalance = 1e-3, ofInflow = 1e-12;
+
 }  // namespace
 
-GasSolver::GasSolver(const Scene& scene)
+GasSolver::GasSolver(const Scene& scene, ThreadTeam& team)
     : grid_(makeGasGrid(scene)),
       layout_(makeFaceLayout(grid_)),
       momentum_(scene, layout_),
       pressureSolver_(layout_),
+      team_(grid_.columns * grid_.rows < worthSharing || team.size() == 1 ? nullptr : &team),
       scheme_(scene.gas->scheme),
       step_(scene.gas->step),
       tolerance_(scene.gas->tolerance),
-      maxIterations_(scene.gas->maxIterations) {
-  const std::size_t faces = layout_.faceArea.size(), cells = grid_.cells();
-  fields_ = {std::vector<double>(faces), std::vector<double>(cells), std::vector<double>(cells, 1.0),
-             std::vector<double>(faces, 1.0)};
+      maxIterations_(scene.gas->maxIterations),
+      reduction_(grid_.rows) {
+  const auto faces = static_cast<std::size_t>(layout_.faces()),
+             places = static_cast<std::size_t>(layout_.size);
+  const std::size_t cells = grid_.cells();
+  fields_ = {std::vector<double>(faces), std::vector<double>(cells), std::vector<double>(cells, 1.0)};
   exchange_ = {std::vector<double>(faces), std::vector<double>(faces)};
-  oldVoidage_ = fields_.voidage;
-  imbalance_.resize(cells);
-  correction_.resize(cells);
-  coefficient_.resize(layout_.volumes.size());
-  effect_.resize(layout_.volumes.size());
-  change_.resize(faces);
+  for (auto* field : {&coefficient_, &change_}) field->assign(faces, 0.0);
+  for (auto* field : {&growth_, &pressure_, &imbalance_, &correction_}) field->assign(places, 0.0);
+  faceVoidage_.assign(faces, 1.0);
+  voidage_.assign(places, 1.0);
   setInletFlux(grid_.inletFlux);
 }
 
@@ -48,86 +57,160 @@ void GasSolver::setInletFlux(const std::vector<double>& superficial) {
 }
 
 void GasSolver::startWith(const std::vector<double>& voidage) {
-  fields_.voidage = voidage;
-  updateFaceVoidage(layout_, fields_);
-}
-
-void GasSolver::setInflow() {
-  for (const FloorFace& f : layout_.floor)
-    fields_.velocity[f.face] = f.flux / (f.area * fields_.faceVoidage[f.face]);
+  Member alone;
+  takeVoidage(alone, voidage);
+  publish(alone);
 }
 
 GasStepReport GasSolver::advance(const std::vector<double>& voidage) {
-  momentum_.beginStep(fields_);
-  oldVoidage_ = fields_.voidage;
-  fields_.voidage = voidage;
-  updateFaceVoidage(layout_, fields_);
-  setInflow();
-  GasStepReport report = scheme_ == GasScheme::projection ? project() : simple();
-  report.massResidual = imbalance(imbalance_);
-  report.solved = report.solved && std::isfinite(report.massResidual);
+  if (!team_) {
+    Member alone;
+    return step(alone, voidage);
+  }
+  GasStepReport report;
+  team_->run([&](int index) {
+    Member member(*team_, index);
+    const GasStepReport mine = step(member, voidage);
+    if (member.first()) report = mine;  // all have the same
+  });
   return report;
 }
 
-double GasSolver::imbalance(std::vector<double>& b) const {
-  double largest = 0.0;
-  const auto flux = [&](int f) { return fields_.faceVoidage[f] * fields_.velocity[f] * layout_.faceArea[f]; };
-  for (int c : layout_.openCells) {
-    const auto& [left, right, bottom, top] = layout_.cellFaces[c];
-    const double growth = layout_.cellVolume[c] * (fields_.voidage[c] - oldVoidage_[c]) / step_;
-    b[c] = flux(left) - flux(right) + flux(bottom) - flux(top) - growth;
-    largest = std::max(largest, std::abs(b[c]));
-    if (std::isnan(b[c])) return b[c];
-  }
-  return inflow_ > 0.0 ? largest / inflow_ : largest;
+GasStepReport GasSolver::step(Member& member, const std::vector<double>& voidage) {
+  momentum_.beginStep(member, fields_.velocity, faceVoidage_);
+  member.wait();
+  if (member.first())
+    for (const FloorFace& f : layout_.floor) fields_.velocity[f.face] = f.flux / (f.area * voidage[f.cell]);
+  takeVoidage(member, voidage);
+  GasStepReport report = scheme_ == GasScheme::projection ? project(member) : simple(member);
+  report.massResidual = massResidual(member);
+  report.solved = report.solved && std::isfinite(report.massResidual);
+  publish(member);
+  return report;
 }
 
-bool GasSolver::preparePressure() {
-  for (std::size_t k = 0; k < layout_.volumes.size(); ++k) {
-    const MomentumVolume& v = layout_.volumes[k];
-    coefficient_[k] = fields_.faceVoidage[v.face] * v.area * momentum_.mobility(k);
+void GasSolver::takeVoidage(Member& member, const std::vector<double>& voidage) {
+  const Range rows = member.share(layout_.rows + 1);  // and the one below the floor
+  const auto begin = rows.begin * static_cast<std::size_t>(layout_.stride);
+  const auto end = rows.end * static_cast<std::size_t>(layout_.stride);
+  for (std::size_t c = begin; c < end; ++c) {
+    const double now = voidage[layout_.voidageCell[c]];
+    growth_[c] = layout_.open[c] * (now - voidage_[c]) / step_;
+    voidage_[c] = now;
   }
-  return pressureSolver_.prepare(coefficient_);
+  member.wait();
+  for (const FaceFamily& family : layout_.families) {
+    const Range mine = member.share(family.rows + 1);
+    const int from = layout_.at(0, static_cast<int>(mine.begin) - 1),
+              to = layout_.at(0, static_cast<int>(mine.end) - 1);
+    for (int c = std::max(from, family.along); c < to; ++c) {
+      const double before = layout_.weightBefore[family.first + c];
+      faceVoidage_[family.first + c] = before * voidage_[c - family.along] + (1.0 - before) * voidage_[c];
+    }
+  }
+  member.wait();
 }
 
-void GasSolver::correct(double pressureShare) {
-  pressureSolver_.solve(imbalance_, correction_);
-  for (std::size_t k = 0; k < layout_.volumes.size(); ++k) {
-    const MomentumVolume& v = layout_.volumes[k];
-    const double beyond = v.cellPlus < 0 ? 0.0 : correction_[v.cellPlus];
-    change_[v.face] = momentum_.mobility(k) * (correction_[v.cellMinus] - beyond);
-    fields_.velocity[v.face] += change_[v.face];
+void GasSolver::updateImbalance(Member& member) {
+  const Range rows = member.share(layout_.rows);
+  const double *eps = faceVoidage_.data(), *u = fields_.velocity.data(), *area = layout_.faceArea.data();
+  const double *open = layout_.open.data(), *growth = growth_.data();
+  double* b = imbalance_.data();
+  const std::ptrdiff_t level = layout_.size, stride = layout_.stride;
+  const auto end = layout_.at(0, static_cast<int>(rows.end));
+  const auto flux = [=](std::ptrdiff_t f) { return eps[f] * u[f] * area[f]; };
+#pragma GCC ivdep
+  for (std::ptrdiff_t c = layout_.at(0, static_cast<int>(rows.begin)); c < end; ++c) {
+    const double gain = flux(c) - flux(c + 1) + flux(level + c) - flux(level + c + stride) - growth[c];
+    b[c] = open[c] > 0.0 ? gain : 0.0;
   }
-  for (int c : layout_.openCells) fields_.pressure[c] += pressureShare * correction_[c];
 }
 
-GasStepReport GasSolver::project() {
-  momentum_.assemble(fields_, exchange_);
-  momentum_.solve(fields_);
-  if (!preparePressure()) return {.solved = false};
-  imbalance(imbalance_);
-  correct(1.0);
-  // PISO's second corrector: what the first one changed in the neighbours.
-  momentum_.neighbourEffect(change_, effect_);
-  for (std::size_t k = 0; k < layout_.volumes.size(); ++k)
-    fields_.velocity[layout_.volumes[k].face] += effect_[k];
-  imbalance(imbalance_);
-  correct(1.0);
+double GasSolver::massResidual(Member& member) {
+  updateImbalance(member);
+  const auto ofRow = [&](int row) {
+    const double* b = &imbalance_[layout_.at(0, row)];
+    return Residual{largestSize(b, layout_.columns), total(b, layout_.columns)};
+  };
+  const Residual all = reduction_(member, ofRow, [](Residual a, Residual b) {
+    return Residual{std::max(a.largest, b.largest), a.sum + b.sum};
+  });
+  if (!std::isfinite(all.sum)) return all.sum;
+  return inflow_ > 0.0 ? all.largest / inflow_ : all.largest;
+}
+
+bool GasSolver::preparePressure(Member& member) {
+  const double *pull = momentum_.pull().data(), *perDiagonal = momentum_.perDiagonal().data();
+  for (const FaceFamily& family : layout_.families) {
+    const Range rows = member.share(family.rows);
+    const int first = family.first + layout_.at(0, static_cast<int>(rows.begin));
+    const int last = family.first + layout_.at(0, static_cast<int>(rows.end));
+    for (int f = first; f < last; ++f) coefficient_[f] = pull[f] * pull[f] * perDiagonal[f];
+  }
+  member.wait();
+  return pressureSolver_.prepare(member, coefficient_);
+}
+
+void GasSolver::correct(Member& member, double pressureShare, double left) {
+  updateImbalance(member);
+  member.wait();
+  pressureSolver_.solve(member, imbalance_, correction_, {left, ofInflow * inflow_});
+  const double *pull = momentum_.pull().data(), *perDiagonal = momentum_.perDiagonal().data();
+  const double* p = correction_.data();
+  double *change = change_.data(), *u = fields_.velocity.data();
+  for (const FaceFamily& family : layout_.families) {
+    const Range rows = member.share(family.rows);
+    const int first = family.first, along = family.along;
+    const int begin = layout_.at(0, static_cast<int>(rows.begin)),
+              end = layout_.at(0, static_cast<int>(rows.end));
+#pragma GCC ivdep
+    for (int c = begin; c < end; ++c) {
+      change[first + c] = pull[first + c] * perDiagonal[first + c] * (p[c - along] - p[c]);
+      u[first + c] += change[first + c];
+    }
+  }
+  const Range rows = member.share(layout_.rows);
+  for (int c = layout_.at(0, static_cast<int>(rows.begin)); c < layout_.at(0, static_cast<int>(rows.end));
+       ++c)
+    pressure_[c] += pressureShare * p[c];
+  member.wait();
+}
+
+GasStepReport GasSolver::project(Member& member) {
+  momentum_.assemble(member, fields_.velocity, faceVoidage_, pressure_, exchange_);
+  momentum_.solve(member, fields_.velocity);
+  if (!preparePressure(member)) return {.solved = false};
+  correct(member, 1.0, ofFirstImbalance);
+  momentum_.addNeighbourEffect(member, change_, fields_.velocity);
+  member.wait();
+  correct(member, 1.0, ofImbalance);
   return {};
 }
 
-GasStepReport GasSolver::simple() {
+GasStepReport GasSolver::simple(Member& member) {
   for (std::int64_t iteration = 0; iteration < maxIterations_; ++iteration) {
-    momentum_.assemble(fields_, exchange_);
-    const double momentumResidual = momentum_.residual(fields_);
-    momentum_.relax(fields_, relaxVelocity);
-    momentum_.solve(fields_);
-    if (!preparePressure()) return {.solved = false};
-    const double massResidual = imbalance(imbalance_);
-    correct(relaxPressure);
-    if (momentumResidual < tolerance_ && massResidual < tolerance_) return {};
+    momentum_.assemble(member, fields_.velocity, faceVoidage_, pressure_, exchange_);
+    const double momentumResidual = momentum_.residual(member, fields_.velocity);
+    momentum_.relax(member, fields_.velocity, relaxVelocity);
+    momentum_.solve(member, fields_.velocity);
+    if (!preparePressure(member)) return {.solved = false};
+    const double mass = massResidual(member);
+    correct(member, relaxPressure, ofImbalance);
+    if (momentumResidual < tolerance_ && mass < tolerance_) return {};
   }
   return {.converged = false};
+}
+
+void GasSolver::publish(Member& member) {
+  const Range rows = member.share(layout_.rows);
+  for (int row = static_cast<int>(rows.begin); row < static_cast<int>(rows.end); ++row)
+    for (int column = 0; column < layout_.columns; ++column) {
+      const std::size_t cell = grid_.cell(column, row);
+      const int c = layout_.at(column, row);
+      const bool open = layout_.open[c] > 0.0;
+      fields_.voidage[cell] = open ? voidage_[c] : 1.0;
+      fields_.pressure[cell] = open ? pressure_[c] : 0.0;
+    }
 }
 
 }  // namespace bedmix

@@ -3,7 +3,10 @@
 
 #include "engine/core/gas_grid.h"
 #include "engine/core/scene.h"
+#include "engine/core/thread_team.h"
+#include "engine/gas/face_layout.h"
 #include "engine/gas/gas_fields.h"
+#include "engine/gas/member.h"
 #include "engine/gas/momentum.h"
 #include "engine/gas/pressure_solver.h"
 
@@ -24,8 +27,9 @@ struct GasStepReport {
 /// at the top.
 class GasSolver {
  public:
-  /// Gas at rest, voidage 1.
-  explicit GasSolver(const Scene& scene);
+  /// Gas at rest, voidage 1. The team, which must outlive the solver, shares the steps of large grids;
+  /// results do not depend on its size.
+  GasSolver(const Scene& scene, ThreadTeam& team);
 
   const GasGrid& grid() const { return grid_; }
   const FaceLayout& layout() const { return layout_; }
@@ -42,29 +46,38 @@ class GasSolver {
   GasStepReport advance(const std::vector<double>& voidage);
 
  private:
-  GasStepReport project();
-  GasStepReport simple();
-  void setInflow();
-  /// b of the pressure correction: minus each cell's imbalance, m3/s. Returns the largest over the inflow.
-  double imbalance(std::vector<double>& b) const;
-  /// Hands the assembled momentum's mobilities to the pressure solver; false where they are not finite.
-  [[nodiscard]] bool preparePressure();
-  /// Solves for a pressure correction that closes continuity and applies it to the velocities, and
-  /// `pressureShare` of it to the pressure.
-  void correct(double pressureShare);
+  GasStepReport step(Member& member, const std::vector<double>& voidage);
+  GasStepReport project(Member& member);
+  GasStepReport simple(Member& member);
+  void takeVoidage(Member& member, const std::vector<double>& voidage);
+  /// b of the pressure correction: minus each cell's imbalance, m3/s.
+  void updateImbalance(Member& member);
+  /// Its largest magnitude over the inflow; not a number where one is none.
+  double massResidual(Member& member);
+  [[nodiscard]] bool preparePressure(Member& member);
+  /// Solves for a pressure correction that closes continuity but for a share of `left`, and applies it to the
+  /// velocities, and `pressureShare` of it to the pressure.
+  void correct(Member& member, double pressureShare, double left);
+  void publish(Member& member);
 
   GasGrid grid_;
   FaceLayout layout_;
   GasFields fields_;
   MomentumExchange exchange_;
-  std::vector<double> oldVoidage_;
   MomentumSystem momentum_;
   PressureSolver pressureSolver_;
+  ThreadTeam* team_;  // null where the grid is too small to share
   GasScheme scheme_;
   double step_, tolerance_;
   std::int64_t maxIterations_;
-  double inflow_ = 0.0;  // m3/s
-  std::vector<double> imbalance_, correction_, coefficient_, change_, effect_;
+  double inflow_ = 0.0;                                     // m3/s
+  std::vector<double> faceVoidage_, coefficient_, change_;  // per face
+  std::vector<double> voidage_, growth_;                    // frames; growth of the voids in m3/s
+  std::vector<double> pressure_, imbalance_, correction_;   // frames
+  struct Residual {
+    double largest = 0.0, sum = 0.0;
+  };
+  RowReduction<Residual> reduction_;
 };
 
 }  // namespace bedmix

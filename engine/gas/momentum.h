@@ -2,9 +2,10 @@
 #pragma once
 
 #include "engine/core/scene.h"
+#include "engine/gas/face_layout.h"
 #include "engine/gas/gas_fields.h"
+#include "engine/gas/member.h"
 
-#include <array>
 #include <vector>
 
 namespace bedmix {
@@ -14,39 +15,55 @@ namespace bedmix {
 ///   rho eps V (u - u_old)/dt + sum over sides a (u - u_side) = -eps A dp - K u + S + rho eps V g
 /// with power-law convection (Patankar 1980), central diffusion of eps mu grad u, drag implicit. Convection
 /// and diffusion are weighted between the time levels by theta (1/2 Crank-Nicolson, 1 implicit Euler).
+/// All fields are per face but for the pressure, a frame. All members call its functions together, and wait
+/// before what they hand in changes or what they get is read.
 class MomentumSystem {
  public:
   MomentumSystem(const Scene& scene, const FaceLayout& layout);
 
-  /// Fixes the old time level: `gas` holds velocity and face voidage at the start of the step.
-  void beginStep(const GasFields& gas);
-  /// Sets up the equations for the new level; `gas` holds the present estimate of it, whose fluxes convect.
-  void assemble(const GasFields& gas, const MomentumExchange& exchange);
+  /// Fixes the old time level.
+  void beginStep(Member& member, const std::vector<double>& velocity, const std::vector<double>& voidage);
+  /// Sets up the equations for the new level around the present estimate, whose fluxes convect. `velocity`
+  /// holds what enters at the floor.
+  void assemble(Member& member, const std::vector<double>& velocity, const std::vector<double>& voidage,
+                const std::vector<double>& pressure, const MomentumExchange& exchange);
   /// Under-relaxes the assembled equations by `factor` around the present velocity (SIMPLE).
-  void relax(const GasFields& gas, double factor);
-  /// Sum of |residual| over sum of |diagonal * velocity|, for the pressure in `gas`.
-  double residual(const GasFields& gas) const;
-  /// Solves for the velocities at the pressure in `gas` by Gauss-Seidel sweeps in alternating order; the
-  /// diagonal dominates as long as the gas Courant number is moderate. Returns the number of sweeps.
-  int solve(GasFields& gas) const;
-  /// sum of a_side * change of the neighbours over the diagonal, per volume: what a velocity correction
-  /// changes through its neighbours (PISO's second corrector).
-  void neighbourEffect(const std::vector<double>& change, std::vector<double>& effect) const;
+  void relax(Member& member, const std::vector<double>& velocity, double factor);
+  /// Sum of |residual| over sum of |diagonal * velocity|.
+  double residual(Member& member, const std::vector<double>& velocity);
+  /// Solves for the velocities by Jacobi sweeps. The diagonal dominates as long as the gas Courant number is
+  /// moderate; each sweep then gains a digit and more.
+  void solve(Member& member, std::vector<double>& velocity);
+  /// Adds to the velocity sum of a_side * change of the neighbours over the diagonal: what a velocity
+  /// correction changes through its neighbours (PISO's second corrector).
+  void addNeighbourEffect(Member& member, const std::vector<double>& change,
+                          std::vector<double>& velocity) const;
 
-  /// Velocity change per pressure difference, -du / d(p_plus - p_minus), per volume.
-  double mobility(std::size_t volume) const { return mobility_[volume]; }
+  /// Force per pressure difference, m2, and velocity per force, s/kg; their product is the velocity's change
+  /// per pressure difference. Both 0 where nothing is solved, but for the floor's second.
+  const std::vector<double>& pull() const { return pull_; }
+  const std::vector<double>& perDiagonal() const { return perDiagonal_; }
 
  private:
-  double pressureForce(std::size_t k, const GasFields& gas) const;
-  void sideCoefficients(const GasFields& gas, std::vector<std::array<double, 4>>& a) const;
+  struct Sides {
+    std::vector<double> before, behind, below, above;  // along, along, across, across the velocity
+  };
+  Range places(const Member& member, const FaceFamily& family) const;
+  void updateSides(Member& member, const std::vector<double>& velocity, const std::vector<double>& voidage,
+                   double share);
+  void sweep(Member& member, const std::vector<double>& from, std::vector<double>& to) const;
 
   const FaceLayout& layout_;
   double density_, viscosity_, step_, theta_, gravity_;
-  std::vector<double> flux_;  // mass flux per face, kg/s
-  std::vector<double> oldVelocity_, oldVoidage_;
-  std::vector<double> oldPart_;  // explicit share of convection and diffusion, N
-  std::vector<std::array<double, 4>> side_;
-  std::vector<double> diagonal_, rhs_, mobility_;
+  std::vector<double> flux_;     // mass flux per face, kg/s
+  std::vector<double> inertia_;  // rho eps V / dt of the old level, kg/s
+  std::vector<double> oldPart_;  // what the old level contributes, N
+  Sides sides_;                  // coefficients of the neighbours, kg/s
+  std::vector<double> rhs_, perDiagonal_, pull_, spare_;
+  struct Change {
+    double ofSweep = 0.0, largest = 0.0;
+  };
+  RowReduction<Change> reduction_;
 };
 
 }  // namespace bedmix

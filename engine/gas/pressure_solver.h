@@ -1,33 +1,54 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "engine/gas/band_solver.h"
 #include "engine/gas/face_layout.h"
+#include "engine/gas/member.h"
+#include "engine/gas/multigrid.h"
 
-#include <memory>
+#include <optional>
 #include <vector>
 
 namespace bedmix {
 
 /// The symmetric positive definite system of the pressure correction: for each open cell
 ///   sum over its solved faces of c_face (p_cell - p_other) = b_cell,
-/// p = 0 beyond the outlet. Small grids are factorized (sparse LDL^T, pattern analysed once), large ones
-/// solved by conjugate gradients with a multigrid preconditioner.
+/// p = 0 beyond the outlet. Where that is cheaper the matrix is factorized as a band; else conjugate
+/// gradients with a multigrid preconditioner. All members call its functions together.
 class PressureSolver {
  public:
   explicit PressureSolver(const FaceLayout& layout);
-  ~PressureSolver();
 
-  /// Takes new coefficients, one a volume of the layout, m3/(s Pa). False if one is not finite or the matrix
-  /// is not positive definite.
-  [[nodiscard]] bool prepare(const std::vector<double>& coefficient);
-  /// Solves for b given per cell (blocked cells ignored); writes p per cell, 0 in blocked cells.
-  void solve(const std::vector<double>& b, std::vector<double>& p);
-  /// Of the last solve; 0 where it was direct.
-  int iterations() const;
+  /// Takes new coefficients, one a face, m3/(s Pa), 0 where nothing is solved. False if one is not finite or
+  /// the matrix is not positive definite.
+  [[nodiscard]] bool prepare(Member& member, const std::vector<double>& coefficient);
+  /// When iterations end: no cell's residual is larger than this share of the largest b, or than `absolute`.
+  struct Tolerance {
+    double relative, absolute;
+  };
+  /// Solves for b, a frame that is 0 outside open cells; writes p. Returns the number of iterations, 0 where
+  /// it was direct.
+  int solve(Member& member, const std::vector<double>& b, std::vector<double>& p, Tolerance tolerance);
 
  private:
-  struct Matrix;
-  std::unique_ptr<Matrix> matrix_;
+  struct Iteration {
+    Multigrid multigrid;
+    std::vector<double> residual, direction, image;
+    explicit Iteration(const FaceLayout& layout);
+  };
+  Range places(const Member& member) const;
+  int iterate(Member& member, const std::vector<double>& b, std::vector<double>& p, Tolerance tolerance);
+  template <class OfPlaces>
+  double sum(Member& member, OfPlaces&& of);
+  template <class OfPlaces>
+  double largest(Member& member, OfPlaces&& of);
+
+  const FaceLayout& layout_;
+  const std::vector<double>* coefficient_ = nullptr;
+  std::optional<BandSolver> band_;      // one of
+  std::optional<Iteration> iteration_;  // these two
+  bool sound_ = true;                   // what the first member found out
+  RowReduction<double> reduction_;
 };
 
 }  // namespace bedmix

@@ -32,7 +32,8 @@ struct ChannelResult {
 };
 
 ChannelResult developed(const Scene& scene) {
-  GasSolver gas(scene);
+  ThreadTeam team(1);
+  GasSolver gas(scene, team);
   const std::vector<double> empty(gas.grid().cells(), 1.0);
   for (int step = 0; step < 300; ++step) {
     const GasStepReport r = gas.advance(empty);
@@ -77,7 +78,8 @@ TEST(Channel, EverySchemeFindsTheSameFlow) {
 
 TEST(Channel, GasAtRestStaysAtRestUnderItsOwnWeight) {
   Scene scene = test::paperScene(0.0);
-  GasSolver gas(scene);
+  ThreadTeam team(1);
+  GasSolver gas(scene, team);
   const std::vector<double> empty(gas.grid().cells(), 1.0);
   for (int step = 0; step < 10; ++step) ASSERT_TRUE(gas.advance(empty).solved);
   for (double u : gas.fields().velocity) EXPECT_NEAR(u, 0.0, 1e-12);
@@ -87,7 +89,8 @@ TEST(Channel, GasAtRestStaysAtRestUnderItsOwnWeight) {
 
 TEST(Channel, StairOfBlockedCellsLeaksNothing) {
   const Scene scene = test::inclinedScene();
-  GasSolver gas(scene);
+  ThreadTeam team(1);
+  GasSolver gas(scene, team);
   const std::vector<double> empty(gas.grid().cells(), 1.0);
   for (int step = 0; step < 200; ++step) {
     const GasStepReport r = gas.advance(empty);
@@ -112,7 +115,8 @@ TEST(Channel, LargeGridsAreIteratedToTheSameMassBalance) {
   Scene scene = test::inclinedScene();  // 20,800 cells: beyond what is factorized
   scene.gas->grid.columns = {{160, 0.096 / 160}};
   scene.gas->grid.rows = {{130, 0.42 / 130}};
-  GasSolver gas(scene);
+  ThreadTeam team(1);
+  GasSolver gas(scene, team);
   const std::vector<double> empty(gas.grid().cells(), 1.0);
   for (int step = 0; step < 2; ++step) {
     const GasStepReport r = gas.advance(empty);

@@ -26,23 +26,25 @@ Solution solve(int columns, int rows, double decades) {
   const FaceLayout layout = makeFaceLayout(grid);
   PressureSolver solver(layout);
   Rng rng(1);
-  std::vector<double> coefficient, b(grid.cells()), p(grid.cells());
+  std::vector<double> coefficient(layout.faces()), b(layout.size), p(layout.size);
   for (const MomentumVolume& v : layout.volumes)
-    coefficient.push_back(v.area * v.area / v.volume * std::pow(10.0, decades * (rng.uniform() - 0.5)));
-  for (int c : layout.openCells) b[c] = rng.uniform() - 0.5;
-  EXPECT_TRUE(solver.prepare(coefficient));
-  solver.solve(b, p);
+    coefficient[v.face] = v.area * v.area / v.volume * std::pow(10.0, decades * (rng.uniform() - 0.5));
+  const auto place = [&](int cell) { return layout.at(cell % columns, cell / columns); };
+  for (int c : layout.openCells) b[place(c)] = rng.uniform() - 0.5;
+  Member alone;
+  EXPECT_TRUE(solver.prepare(alone, coefficient));
+  const int iterations = solver.solve(alone, b, p, {1e-12, 0.0});
 
   std::vector<double> residual = b;
-  for (std::size_t k = 0; k < layout.volumes.size(); ++k) {
-    const MomentumVolume& v = layout.volumes[k];
-    const double flow = coefficient[k] * (p[v.cellMinus] - (v.cellPlus < 0 ? 0.0 : p[v.cellPlus]));
-    residual[v.cellMinus] -= flow;
-    if (v.cellPlus >= 0) residual[v.cellPlus] += flow;
+  for (const MomentumVolume& v : layout.volumes) {
+    const int minus = place(v.cellMinus), plus = v.cellPlus < 0 ? -1 : place(v.cellPlus);
+    const double flow = coefficient[v.face] * (p[minus] - (plus < 0 ? 0.0 : p[plus]));
+    residual[minus] -= flow;
+    if (plus >= 0) residual[plus] += flow;
   }
   double largest = 0.0;
-  for (int c : layout.openCells) largest = std::max(largest, std::abs(residual[c]));
-  return {solver.iterations(), largest / 0.5};
+  for (int c : layout.openCells) largest = std::max(largest, std::abs(residual[place(c)]));
+  return {iterations, largest / 0.5};
 }
 
 TEST(PressureSolver, SmallGridsAreSolvedDirectly) {
@@ -73,10 +75,11 @@ TEST(PressureSolver, CellsThatAreLongOneWay) {
 TEST(PressureSolver, RefusesCoefficientsThatAreNotFinite) {
   const FaceLayout layout = makeFaceLayout(makeGasGrid(test::paperScene(1.0)));
   PressureSolver solver(layout);
-  std::vector<double> coefficient(layout.volumes.size(), 1.0);
-  EXPECT_TRUE(solver.prepare(coefficient));
-  coefficient[17] = std::nan("");
-  EXPECT_FALSE(solver.prepare(coefficient));
+  std::vector<double> coefficient = layout.solved;
+  Member alone;
+  EXPECT_TRUE(solver.prepare(alone, coefficient));
+  coefficient[layout.vFace(3, 17)] = std::nan("");
+  EXPECT_FALSE(solver.prepare(alone, coefficient));
 }
 
 }  // namespace
