@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "engine/coupling/exchange.h"
 
+#include "engine/core/blocks.h"
+
 #include <algorithm>
 
 namespace bedmix {
@@ -8,115 +10,114 @@ namespace bedmix {
 Exchange::Exchange(const Scene& scene, const GasSolver& gas, const VoidageField& voidage, ThreadTeam& team)
     : gas_(gas),
       voidage_(voidage),
+      grid_(voidage.points()),
       team_(team),
-      columns_(gas.grid().x),
-      rows_(gas.grid().y),
-      drag_(dragFunction(scene.gas->drag)),
+      law_(scene.gas->drag),
       properties_{scene.particles.diameter, scene.gas->density, scene.gas->viscosity},
-      particleVolume_(bedmix::particleVolume(scene)),
-      solved_(gas.layout().faceArea.size()),
-      faceGradient_(gas.layout().faceArea.size()),
-      gradient_(gas.grid().cells()) {
-  for (const MomentumVolume& v : gas.layout().volumes) solved_[v.face] = 1;
+      step_(scene.gas->step),
+      atPoints_{std::vector<double>(grid_.points()), std::vector<double>(grid_.points()),
+                std::vector<Vec2>(grid_.points())},
+      pressure_(grid_.points()) {
+  for (const CouplingGrid::Place& at : grid_.cells) {
+    cell_.push_back(static_cast<std::int32_t>(gas.grid().cell(at.i, at.j)));
+    slopes_.push_back(slopes(at.i, at.j));
+  }
+  for (const CouplingGrid::Place& at : grid_.uprightFaces)
+    uprightFace_.push_back(gas.layout().uFace(at.i, at.j));
+  for (const CouplingGrid::Place& at : grid_.levelFaces) levelFace_.push_back(gas.layout().vFace(at.i, at.j));
 }
 
-Exchange::FaceWeights Exchange::weightsAt(double x, double y) const {
-  const FaceLayout& layout = gas_.layout();
-  const auto corners = [](const GridAxis::Pair& a, const GridAxis::Pair& b) {
-    return std::array{a.share * b.share, (1.0 - a.share) * b.share, a.share * (1.0 - b.share),
-                      (1.0 - a.share) * (1.0 - b.share)};
-  };
-  const GridAxis::Interpolation across = columns_.interpolate(x), up = rows_.interpolate(y);
-  FaceWeights w;
-  w.u = {layout.uFace(across.faces.first, up.centres.first),
-         layout.uFace(across.faces.second, up.centres.first),
-         layout.uFace(across.faces.first, up.centres.second),
-         layout.uFace(across.faces.second, up.centres.second)};
-  w.uWeight = corners(across.faces, up.centres);
-  w.v = {layout.vFace(across.centres.first, up.faces.first),
-         layout.vFace(across.centres.second, up.faces.first),
-         layout.vFace(across.centres.first, up.faces.second),
-         layout.vFace(across.centres.second, up.faces.second)};
-  w.vWeight = corners(across.centres, up.faces);
-  for (std::int32_t& f : w.u) f = layout.openFace[f];
-  for (std::int32_t& f : w.v) f = layout.openFace[f];
-  return w;
+Exchange::Slopes Exchange::slopes(int i, int j) const {
+  const GasGrid& g = gas_.grid();
+  const bool left = i > 0 && g.open(i - 1, j), right = i + 1 < g.columns && g.open(i + 1, j);
+  const bool bottom = j > 0 && g.open(i, j - 1), outlet = j + 1 == g.rows;
+  Slopes s;
+  const double across = left && right ? 0.5 : 1.0, up = bottom ? 0.5 : 1.0;
+  if (left) s.left = across / (0.5 * (g.dx(i - 1) + g.dx(i)));
+  if (right) s.right = across / (0.5 * (g.dx(i) + g.dx(i + 1)));
+  if (bottom) s.bottom = up / (0.5 * (g.dy(j - 1) + g.dy(j)));
+  s.top = up / (outlet ? 0.5 * g.dy(j) : 0.5 * (g.dy(j) + g.dy(j + 1)));
+  return s;
 }
 
-Vec2 Exchange::gasVelocity(const FaceWeights& w) const {
+void Exchange::copyVelocity(Range points) {
   const std::vector<double>& velocity = gas_.fields().velocity;
-  Vec2 u;
-  for (int k = 0; k < 4; ++k) {
-    u.x += w.uWeight[k] * velocity[w.u[k]];
-    u.y += w.vWeight[k] * velocity[w.v[k]];
+  for (std::size_t k = points.begin; k < points.end; ++k) {
+    atPoints_.uprightVelocity[k] = velocity[uprightFace_[k]];
+    atPoints_.levelVelocity[k] = velocity[levelFace_[k]];
   }
-  return u;
 }
 
-/// B times the coupling of particle i, whose weights are known.
-double Exchange::dragCoefficient(std::size_t i, Vec2 velocity) const {
-  const VolumeShares& s = voidage_.shares()[i];
-  double voidage = 0.0;
-  for (int k = 0; k < 4; ++k) voidage += s.share[k] * voidage_.voidage()[s.cell[k]];
-  voidage /= s.coupling;
-  const double slip = norm(gasVelocity(weights_[i]) - velocity);
-  return s.coupling * particleVolume_ * drag_(voidage, slip, properties_) / (1.0 - voidage);
+void Exchange::copyPressure(Range points) {
+  const std::size_t outlet = grid_.points() - static_cast<std::size_t>(grid_.stride);
+  for (std::size_t k = points.begin; k < points.end; ++k)
+    pressure_[k] = k < outlet ? gas_.fields().pressure[cell_[k]] : 0.0;
 }
 
-void Exchange::evaluateDrag(const Particles& particles, MomentumExchange& exchange) {
-  weights_.resize(particles.size());
-  coefficient_.resize(particles.size());
-  team_.forBlocks(particles.size(), [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) {
-      const bool coupled = voidage_.shares()[i].coupling > 0.0;
-      weights_[i] = weightsAt(particles.x[i], particles.y[i]);
-      coefficient_[i] = coupled ? dragCoefficient(i, {particles.vx[i], particles.vy[i]}) : 0.0;
-    }
+void Exchange::findGradient(Range points) {
+  for (std::size_t k = points.begin; k < points.end; ++k) {
+    const Slopes& s = slopes_[k];
+    const double* const p = &pressure_[grid_.point(grid_.cells[k])];
+    atPoints_.pressureGradient[k] = {s.left * (p[0] - p[-1]) + s.right * (p[1] - p[0]),
+                                     s.bottom * (p[0] - p[-grid_.stride]) + s.top * (p[grid_.stride] - p[0])};
+  }
+}
+
+void Exchange::evaluateDrag(Particles& particles, MomentumExchange& exchange) {
+  const std::size_t n = particles.size(), faces = exchange.source.size();
+  sums_.resize(blocksOf(n));
+  team_.run([&](int member) {
+    copyVelocity(team_.share(grid_.points(), member));
+    const Range cleared = team_.share(faces, member);
+    std::fill_n(exchange.coefficient.begin() + cleared.begin, cleared.end - cleared.begin, 0.0);
+    std::fill_n(exchange.source.begin() + cleared.begin, cleared.end - cleared.begin, 0.0);
+    team_.barrier();
+    const Range mine = team_.share(sums_.size(), member);
+    for (std::size_t b = mine.begin; b < mine.end; ++b)
+      giveDrag(particles, blockOf(n, sums_.size(), b), sums_[b]);
+    team_.barrier();
+    const Range columns = grid_.columnsOf(team_, member);
+    for (const BlockSum<FaceSums>& sum : sums_)
+      sum.forPoints(grid_, columns, [&](std::size_t k, const FaceSums& s) {
+        exchange.coefficient[uprightFace_[k]] += s.uprightCoefficient;
+        exchange.source[uprightFace_[k]] += s.uprightSource;
+        exchange.coefficient[levelFace_[k]] += s.levelCoefficient;
+        exchange.source[levelFace_[k]] += s.levelSource;
+      });
   });
-  // Sums over particles stay in the order of the particles.
-  std::fill(exchange.coefficient.begin(), exchange.coefficient.end(), 0.0);
-  std::fill(exchange.source.begin(), exchange.source.end(), 0.0);
-  for (std::size_t i = 0; i < particles.size(); ++i) {
-    const FaceWeights& w = weights_[i];
-    const double b = coefficient_[i];
-    for (int k = 0; k < 4; ++k) {
-      const double bu = b * w.uWeight[k], bv = b * w.vWeight[k];
-      exchange.coefficient[w.u[k]] += bu;
-      exchange.source[w.u[k]] += bu * particles.vx[i];
-      exchange.coefficient[w.v[k]] += bv;
-      exchange.source[w.v[k]] += bv * particles.vy[i];
-    }
-  }
 }
 
-void Exchange::updatePressureGradient() {
-  const FaceLayout& layout = gas_.layout();
-  const std::vector<double>& pressure = gas_.fields().pressure;
-  for (const MomentumVolume& v : layout.volumes) {
-    const double beyond = v.cellPlus < 0 ? 0.0 : pressure[v.cellPlus];
-    faceGradient_[v.face] = (beyond - pressure[v.cellMinus]) * v.area / v.volume;
-  }
-  const auto mean = [&](int a, int b) {
-    const int solved = solved_[a] + solved_[b];
-    return solved == 0 ? 0.0 : (faceGradient_[a] + faceGradient_[b]) / solved;
-  };
-  for (int c : layout.openCells) {
-    const auto& [left, right, bottom, top] = layout.cellFaces[c];
-    gradient_[c] = {mean(left, right), mean(bottom, top)};
+void Exchange::giveDrag(Particles& particles, Range block, BlockSum<FaceSums>& sum) const {
+  sum.clear(grid_, std::span(particles.position).subspan(block.begin, block.end - block.begin));
+  ExchangeBatch batch;
+  for (batch.begin = block.begin; batch.begin < block.end; batch.begin += batch.size) {
+    batch.size = std::min(batchSize, block.end - batch.begin);
+    findSlip(grid_, atPoints_, voidage_.atPoints(), particles, sum.numbering(), batch);
+    evaluateDragLaw(law_, properties_, batch.size, batch.voidage, batch.slip, batch.drag);
+    bedmix::giveDrag(grid_, step_, batch, particles, sum);
   }
 }
 
 void Exchange::applyForces(Particles& particles) {
-  updatePressureGradient();
-  team_.forBlocks(particles.size(), [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) {
-      const VolumeShares& s = voidage_.shares()[i];
-      Vec2 force = coefficient_[i] * (gasVelocity(weights_[i]) - Vec2{particles.vx[i], particles.vy[i]});
-      for (int k = 0; k < 4; ++k) force -= s.share[k] * particleVolume_ * gradient_[s.cell[k]];
-      particles.fx[i] = force.x;
-      particles.fy[i] = force.y;
-    }
+  const std::size_t n = particles.size(), blocks = blocksOf(n);
+  team_.run([&](int member) {
+    const Range points = team_.share(grid_.points(), member);
+    copyVelocity(points);
+    copyPressure(points);
+    team_.barrier();
+    findGradient(points);
+    team_.barrier();
+    const Range mine = team_.share(blocks, member);
+    for (std::size_t b = mine.begin; b < mine.end; ++b) takeForces(particles, blockOf(n, blocks, b));
   });
+}
+
+void Exchange::takeForces(Particles& particles, Range block) const {
+  ExchangeBatch batch;
+  for (batch.begin = block.begin; batch.begin < block.end; batch.begin += batch.size) {
+    batch.size = std::min(batchSize, block.end - batch.begin);
+    bedmix::takeForces(grid_, atPoints_, particles, batch);
+  }
 }
 
 }  // namespace bedmix

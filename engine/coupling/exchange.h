@@ -3,57 +3,62 @@
 
 #include "engine/core/scene.h"
 #include "engine/core/thread_team.h"
-#include "engine/core/vec2.h"
 #include "engine/coupling/drag_laws.h"
+#include "engine/coupling/exchange_kernel.h"
 #include "engine/coupling/voidage.h"
 #include "engine/dem/particles.h"
 #include "engine/gas/gas_solver.h"
 
-#include <array>
 #include <cstdint>
 #include <vector>
 
 namespace bedmix {
 
 /// Momentum between gas and particles, once a gas step. A particle's drag is B (u - v), B = V_p beta/(1-eps)
-/// (Tian et al. 2007, Eq. 2), u interpolated bilinearly from the staggered faces; the same B and the same
-/// weights make the gas's implicit coefficient and source, so that what one phase gives is what the other
-/// gets, to round-off. The pressure force -V_p grad p takes grad p from the cells by the shares of the
-/// voidage, for the same reason. Both forces are then held over the particle steps of one gas step.
+/// (Tian et al. 2007, Eq. 2), u interpolated bilinearly from the staggered faces. B and u are held over the
+/// particle steps of one gas step, v is the particle's own at any time: however strong the drag, it relaxes
+/// to the gas and does not overshoot. The gas is charged beforehand, as if v stayed what it is, by the same B
+/// and the same weights; where the particle then comes out elsewhere than foreseen, the difference B (x -
+/// foreseen) is settled in the next gas step. So what one phase gives is what the other gets, to round-off,
+/// one gas step later. The pressure force -V_p grad p takes grad p from the cells by the shares of the
+/// voidage, for the same reason.
 class Exchange {
  public:
   /// What is given by reference must outlive the exchange.
   Exchange(const Scene& scene, const GasSolver& gas, const VoidageField& voidage, ThreadTeam& team);
 
-  /// Drag coefficients at the present particles and gas velocity; fills the gas's exchange.
-  void evaluateDrag(const Particles& particles, MomentumExchange& exchange);
-  /// Sets the particles' external force from the gas as it is after its step.
+  /// Sets the particles' drag coefficients by the present gas velocity and a voidage that is up to date;
+  /// fills the gas's exchange. The particles must have external forces.
+  void evaluateDrag(Particles& particles, MomentumExchange& exchange);
+  /// Sets the particles' external forces from the gas as it is after its step.
   void applyForces(Particles& particles);
 
  private:
-  /// Bilinear interpolation from four upright and four level faces.
-  struct FaceWeights {
-    std::array<std::int32_t, 4> u{}, v{};
-    std::array<double, 4> uWeight{}, vWeight{};
+  /// What makes the gradient of a cell out of its differences to the neighbours: the mean of its two faces;
+  /// at a boundary face, which has no gradient of its own, the other one alone. 1/m.
+  struct Slopes {
+    double left = 0.0, right = 0.0, bottom = 0.0, top = 0.0;
   };
-  FaceWeights weightsAt(double x, double y) const;
-  Vec2 gasVelocity(const FaceWeights& w) const;
-  double dragCoefficient(std::size_t i, Vec2 velocity) const;
-  /// Mean of a cell's two faces; at a boundary face, which has no gradient of its own, the other one alone.
-  void updatePressureGradient();
+  Slopes slopes(int column, int row) const;
+  void copyVelocity(Range points);
+  void copyPressure(Range points);
+  void findGradient(Range points);
+  void giveDrag(Particles& particles, Range block, BlockSum<FaceSums>& sum) const;
+  void takeForces(Particles& particles, Range block) const;
 
   const GasSolver& gas_;
   const VoidageField& voidage_;
+  const CouplingGrid& grid_;
   ThreadTeam& team_;
-  GridAxis columns_, rows_;
-  DragFunction drag_;
+  DragLaw law_;
   DragProperties properties_;
-  double particleVolume_;
-  std::vector<FaceWeights> weights_;  // per particle
-  std::vector<double> coefficient_;   // per particle: B times its coupling, kg/s
-  std::vector<char> solved_;          // per face: 0 at walls, risers and inlets
-  std::vector<double> faceGradient_;  // of the pressure, Pa/m, at solved faces
-  std::vector<Vec2> gradient_;        // of the pressure, per cell, Pa/m
+  double step_;  // of the gas, s
+  std::vector<BlockSum<FaceSums>> sums_;
+  GasAtPoints atPoints_;
+  std::vector<double> pressure_;
+  // Owners of the points, in the gas's numbering, and their slopes.
+  std::vector<std::int32_t> cell_, uprightFace_, levelFace_;
+  std::vector<Slopes> slopes_;
 };
 
 }  // namespace bedmix

@@ -1,62 +1,63 @@
 // SPDX-License-Identifier: MIT
 #include "engine/coupling/voidage.h"
 
+#include "engine/core/blocks.h"
+#include "engine/coupling/voidage_kernel.h"
+
 #include <algorithm>
-#include <limits>
 
 namespace bedmix {
 
-namespace {
-
-/// Depth below an open top over which the coupling fades, in diameters: long enough that a rising plug leaves
-/// the gas grid without a jump in voidage, short against the freeboard.
-constexpr double taperDiameters = 5.0;
-
-}  // namespace
-
-VoidageField::VoidageField(const Scene& scene, const GasGrid& grid)
+VoidageField::VoidageField(const Scene& scene, const GasGrid& grid, ThreadTeam& team)
     : grid_(grid),
-      columns_(grid.x),
-      rows_(grid.y),
-      radius_(0.5 * scene.particles.diameter),
-      particleVolume_(bedmix::particleVolume(scene)),
-      // Against a lid the gas holds particles at the very top; nothing fades there.
-      taperFrom_(scene.bed.top == BedTop::open ? grid.y.back() - taperDiameters * scene.particles.diameter
-                                               : std::numeric_limits<double>::infinity()),
-      top_(grid.y.back()),
-      solids_(grid.cells()),
-      voidage_(grid.cells(), 1.0) {}
-
-double VoidageField::coupling(double y) const {
-  if (y <= taperFrom_) return 1.0;
-  if (y >= top_) return 0.0;
-  const double s = (top_ - y) / (top_ - taperFrom_);
-  return s * s * (3.0 - 2.0 * s);
+      team_(team),
+      points_(scene, grid),
+      solids_(points_.points()),
+      atPoints_(points_.points(), 1.0),
+      voidage_(grid.cells(), 1.0) {
+  for (const CouplingGrid::Place& cell : points_.cells) {
+    owner_.push_back(points_.point(cell));
+    perVolume_.push_back(points_.particleVolume / grid.volume(cell.i, cell.j));
+  }
 }
 
-void VoidageField::update(std::span<const double> x, std::span<const double> y) {
-  shares_.resize(x.size());
-  std::fill(solids_.begin(), solids_.end(), 0.0);
-  aboveGrid_ = 0;
-  for (std::size_t i = 0; i < x.size(); ++i) {
-    const GridAxis::Pair column = columns_.overlap(x[i], radius_), row = rows_.overlap(y[i], radius_);
-    const auto at = [&](int c, int r) {
-      return static_cast<std::int32_t>(grid_.cell(c, std::max(r, grid_.lowestRow[c])));
-    };
-    VolumeShares& s = shares_[i];
-    s.coupling = coupling(y[i]);
-    s.cell = {at(column.first, row.first), at(column.second, row.first), at(column.first, row.second),
-              at(column.second, row.second)};
-    const double left = s.coupling * column.share, right = s.coupling - left;
-    s.share = {left * row.share, right * row.share, left * (1.0 - row.share), right * (1.0 - row.share)};
-    for (int k = 0; k < 4; ++k) solids_[s.cell[k]] += s.share[k];
-    aboveGrid_ += y[i] > top_;
-  }
-  for (int r = 0; r < grid_.rows; ++r)
-    for (int c = 0; c < grid_.columns; ++c) {
-      const std::size_t cell = grid_.cell(c, r);
-      voidage_[cell] = 1.0 - solids_[cell] * particleVolume_ / grid_.volume(c, r);
+void VoidageField::update(const std::vector<Vec2>& position) {
+  const std::size_t n = position.size();
+  blocks_.resize(blocksOf(n));
+  team_.run([&](int member) {
+    const Range mine = team_.share(blocks_.size(), member);
+    for (std::size_t b = mine.begin; b < mine.end; ++b) {
+      const Range block = blockOf(n, blocks_.size(), b);
+      deposit(blocks_[b], std::span(position).subspan(block.begin, block.end - block.begin));
     }
+    team_.barrier();
+    addBlocks(points_.columnsOf(team_, member));
+  });
+  aboveGrid_ = 0;
+  for (const Block& block : blocks_) aboveGrid_ += block.aboveGrid;
+}
+
+void VoidageField::deposit(Block& block, std::span<const Vec2> position) const {
+  block.solids.clear(points_, position);
+  depositVolume(points_, position, block.solids);
+  block.aboveGrid =
+      std::count_if(position.begin(), position.end(), [&](Vec2 at) { return at.y > points_.y.length; });
+}
+
+void VoidageField::addBlocks(Range columns) {
+  const auto forPoints = [&](auto visit) {
+    for (std::size_t row = 0; row < points_.points(); row += static_cast<std::size_t>(points_.stride))
+      for (std::size_t k = row + columns.begin; k < row + columns.end; ++k) visit(k);
+  };
+  forPoints([&](std::size_t k) { solids_[k] = 0.0; });
+  for (const Block& block : blocks_)
+    block.solids.forPoints(points_, columns,
+                           [&](std::size_t k, double solids) { solids_[owner_[k]] += solids; });
+  forPoints([&](std::size_t k) { atPoints_[k] = 1.0 - solids_[owner_[k]] * perVolume_[k]; });
+  forPoints([&](std::size_t k) {
+    if (owner_[k] == static_cast<std::int32_t>(k))
+      voidage_[grid_.cell(points_.cells[k].i, points_.cells[k].j)] = atPoints_[k];
+  });
 }
 
 double VoidageField::lowest() const { return *std::min_element(voidage_.begin(), voidage_.end()); }

@@ -3,22 +3,15 @@
 
 #include "engine/core/gas_grid.h"
 #include "engine/core/scene.h"
-#include "engine/coupling/grid_axis.h"
+#include "engine/core/thread_team.h"
+#include "engine/core/vec2.h"
+#include "engine/coupling/coupling_grid.h"
+#include "engine/coupling/point_box.h"
 
-#include <array>
 #include <cstdint>
-#include <span>
 #include <vector>
 
 namespace bedmix {
-
-/// Where a particle's volume lies: up to four cells and the share of the volume in each. The shares add up to
-/// `coupling`, which is 1 inside the bed and tapers to 0 towards an open top.
-struct VolumeShares {
-  std::array<std::int32_t, 4> cell{};
-  std::array<double, 4> share{};
-  double coupling = 0.0;
-};
 
 /// Spreads each particle over a square of one diameter and cuts that by the cells: volume is conserved to
 /// round-off and the voidage changes continuously in time, which d(eps)/dt in the continuity equation needs
@@ -28,25 +21,37 @@ struct VolumeShares {
 /// reader sees to it).
 class VoidageField {
  public:
-  /// `grid` must outlive the field.
-  VoidageField(const Scene& scene, const GasGrid& grid);
+  /// `grid` and `team` must outlive the field.
+  VoidageField(const Scene& scene, const GasGrid& grid, ThreadTeam& team);
 
-  void update(std::span<const double> x, std::span<const double> y);
+  void update(const std::vector<Vec2>& position);
 
   const std::vector<double>& voidage() const { return voidage_; }  // per cell; 1 in blocked cells
-  const std::vector<VolumeShares>& shares() const { return shares_; }
   double lowest() const;
   /// Particles whose centre is above the gas grid.
   std::int64_t aboveGrid() const { return aboveGrid_; }
+  /// The grid as particles see it, and the voidage at its cells' points.
+  const CouplingGrid& points() const { return points_; }
+  const std::vector<double>& atPoints() const { return atPoints_; }
 
  private:
-  double coupling(double y) const;
+  struct Block {
+    BlockSum<double> solids;  // in particles
+    std::int64_t aboveGrid = 0;
+  };
+  void deposit(Block& block, std::span<const Vec2> position) const;
+  /// Voidage of a part of the grid's columns.
+  void addBlocks(Range columns);
 
   const GasGrid& grid_;
-  GridAxis columns_, rows_;
-  double radius_, particleVolume_, taperFrom_, top_;
-  std::vector<VolumeShares> shares_;
-  std::vector<double> solids_, voidage_;
+  ThreadTeam& team_;
+  CouplingGrid points_;
+  std::vector<Block> blocks_;
+  // Per point of the grid's cells.
+  std::vector<std::int32_t> owner_;
+  std::vector<double> solids_, perVolume_;  // in particles; share of a cell that one fills
+  std::vector<double> atPoints_;
+  std::vector<double> voidage_;  // per cell
   std::int64_t aboveGrid_ = 0;
 };
 

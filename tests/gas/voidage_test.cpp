@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include <numeric>
+#include <algorithm>
 
 namespace bedmix {
 namespace {
@@ -21,21 +21,20 @@ double solidVolume(const GasGrid& grid, const std::vector<double>& voidage) {
 TEST(Voidage, SolidVolumeIsConservedEverywhereIncludingStairAndTop) {
   const Scene scene = test::inclinedScene();
   const GasGrid grid = makeGasGrid(scene);
-  VoidageField field(scene, grid);
+  ThreadTeam team(1);
+  VoidageField field(scene, grid, team);
   Rng rng(3);
   for (int trial = 0; trial < 200; ++trial) {
-    std::vector<double> x, y;
-    for (int i = 0; i < 300; ++i) {
-      x.push_back(rng.uniform(0.0015, 0.0945));  // up to a quarter of a diameter into the walls
-      y.push_back(rng.uniform(0.0015, 0.5));     // into the stair and above the grid
-    }
-    field.update(x, y);
+    std::vector<Vec2> at;
     double coupled = 0.0;
-    for (const VolumeShares& s : field.shares()) {
-      coupled += s.coupling;
-      EXPECT_NEAR(std::accumulate(s.share.begin(), s.share.end(), 0.0), s.coupling, 1e-15);
-      for (double share : s.share) EXPECT_GE(share, 0.0);
+    for (int i = 0; i < 300; ++i) {
+      // Up to a quarter of a diameter into the walls, into the stair and above the grid.
+      const double x = rng.uniform(0.0015, 0.0945);
+      at.push_back({x, rng.uniform(0.0015, 0.5)});
+      const double s = std::clamp((0.42 - at.back().y) / 0.02, 0.0, 1.0);
+      coupled += s * s * (3.0 - 2.0 * s);
     }
+    field.update(at);
     EXPECT_NEAR(solidVolume(grid, field.voidage()) / (coupled * particleVolume(scene)), 1.0, 1e-10);
     for (int c = 0; c < grid.columns; ++c)
       for (int r = 0; r < grid.lowestRow[c]; ++r) EXPECT_EQ(field.voidage()[grid.cell(c, r)], 1.0);
@@ -45,7 +44,8 @@ TEST(Voidage, SolidVolumeIsConservedEverywhereIncludingStairAndTop) {
 TEST(Voidage, ChangesContinuouslyAsAParticleCrossesCells) {
   const Scene scene = test::paperScene(1.0);
   const GasGrid grid = makeGasGrid(scene);
-  VoidageField field(scene, grid);
+  ThreadTeam team(1);
+  VoidageField field(scene, grid, team);
   const double step = 1e-6, d = scene.particles.diameter;
   // Per step, no cell's voidage may change by more than the share a move of that length can carry over one
   // edge, on each of two axes; the taper at the top is slower than that.
@@ -53,7 +53,7 @@ TEST(Voidage, ChangesContinuouslyAsAParticleCrossesCells) {
   std::vector<double> before;
   for (double s = 0.0; s < 0.42; s += step * 997) {
     for (double at : {s, s + step}) {
-      field.update(std::vector{0.002 + 0.2 * at}, std::vector{at + 0.002});
+      field.update({{0.002 + 0.2 * at, at + 0.002}});
       for (std::size_t c = 0; at > s && c < before.size(); ++c)
         EXPECT_LE(std::abs(field.voidage()[c] - before[c]), bound);
       before = field.voidage();
@@ -64,11 +64,12 @@ TEST(Voidage, ChangesContinuouslyAsAParticleCrossesCells) {
 TEST(Voidage, WholeParticleInOneCell) {
   const Scene scene = test::paperScene(1.0);
   const GasGrid grid = makeGasGrid(scene);
-  VoidageField field(scene, grid);
-  field.update(std::vector{0.018}, std::vector{0.030});
+  ThreadTeam team(1);
+  VoidageField field(scene, grid, team);
+  field.update({{0.018, 0.030}});
   EXPECT_NEAR(field.voidage()[grid.cell(1, 2)], 1.0 - particleVolume(scene) / grid.volume(1, 2), 1e-15);
   EXPECT_EQ(field.aboveGrid(), 0);
-  field.update(std::vector{0.018}, std::vector{0.43});
+  field.update({{0.018, 0.43}});
   EXPECT_EQ(field.aboveGrid(), 1);
   EXPECT_EQ(field.lowest(), 1.0);
 }

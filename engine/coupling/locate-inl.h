@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: MIT
+
+// Where particles lie on the grid, for vector loops: once a target, in the manner of Highway.
+#if defined(BEDMIX_COUPLING_LOCATE_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef BEDMIX_COUPLING_LOCATE_INL_H_
+#undef BEDMIX_COUPLING_LOCATE_INL_H_
+#else
+#define BEDMIX_COUPLING_LOCATE_INL_H_
+#endif
+
+#include "engine/core/vec2.h"
+#include "engine/coupling/batch.h"
+#include "engine/coupling/coupling_grid.h"
+
+#include <hwy/highway.h>
+
+HWY_BEFORE_NAMESPACE();
+namespace bedmix::HWY_NAMESPACE {
+
+namespace hn = hwy::HWY_NAMESPACE;
+
+/// Calls body(d, i) for vectors of items from i on that together are all below n.
+template <class Body>
+HWY_INLINE void forVectors(std::size_t n, const Body& body) {
+  const hn::ScalableTag<double> d;
+  const hn::CappedTag<double, 1> single;
+  std::size_t i = 0;
+  for (; i + hn::Lanes(d) <= n; i += hn::Lanes(d)) body(d, i);
+  for (; i < n; ++i) body(single, i);
+}
+
+template <class D>
+struct Plane {
+  hn::Vec<D> x, y;
+};
+
+/// Pairs (x, y) one after the other.
+template <class D>
+HWY_INLINE Plane<D> loadPairs(D d, const double* from) {
+  Plane<D> p;
+  if constexpr (hn::MaxLanes(D()) == 1) {
+    p = {hn::Load(d, from), hn::Load(d, from + 1)};
+  } else {
+    hn::LoadInterleaved2(d, from, p.x, p.y);
+  }
+  return p;
+}
+
+template <class D>
+HWY_INLINE Plane<D> loadPlane(D d, const Vec2* from) {
+  return loadPairs(d, &from->x);
+}
+
+template <class D, class V>
+HWY_INLINE void storePairs(D d, V a, V b, double* to) {
+  if constexpr (hn::MaxLanes(D()) == 1) {
+    hn::Store(a, d, to);
+    hn::Store(b, d, to + 1);
+  } else {
+    hn::StoreInterleaved2(a, b, d, to);
+  }
+}
+
+/// A vector of places along one axis.
+template <class D>
+struct AxisPlace {
+  hn::Vec<D> cell;
+  hn::Vec<D> within;  // from its lower face, in cell sizes
+  hn::Vec<D> upper;   // 1 in the upper half of the cell, else 0
+  hn::Vec<D> size;    // m
+  hn::Vec<D> slope;   // of the weights of the two nearest centres, per cell size
+};
+
+/// The nearest place in a grid of some size; its lower end for what is no number.
+template <class D, class V>
+HWY_INLINE V inside(D d, V at, V size) {
+  return hn::IfThenElseZero(at > hn::Zero(d), hn::Min(at, size));
+}
+
+/// For places inside the grid.
+template <class D, class V>
+HWY_INLINE AxisPlace<D> findPlace(D d, const GridAxis& axis, V at) {
+  const V one = hn::Set(d, 1.0);
+  const GridAxis::Stretch* s = axis.stretches.data();
+  const GridAxis::Stretch* const end = s + axis.stretches.size();
+  V start = hn::Zero(d), perSize = hn::Set(d, s->perSize), firstCell = start;
+  AxisPlace<D> place{start, start, start, hn::Set(d, s->size), one};
+  while (++s != end) {
+    const auto above = at >= hn::Set(d, s->start);
+    start = hn::IfThenElse(above, hn::Set(d, s->start), start);
+    firstCell = hn::IfThenElse(above, hn::Set(d, s->firstCell), firstCell);
+    perSize = hn::IfThenElse(above, hn::Set(d, s->perSize), perSize);
+    place.size = hn::IfThenElse(above, hn::Set(d, s->size), place.size);
+    place.slope = hn::IfThenElse(at >= hn::Set(d, s->fromCentre), hn::Set(d, s->slopeBelow), place.slope);
+    place.slope = hn::IfThenElse(above, hn::Set(d, s->slopeAbove), place.slope);
+    place.slope = hn::IfThenElse(at >= hn::Set(d, s->toCentre), one, place.slope);
+  }
+  const V cells = (at - start) * perSize, whole = hn::Floor(cells);
+  place.cell = firstCell + whole;
+  place.within = cells - whole;
+  place.upper = hn::IfThenElseZero(place.within >= hn::Set(d, 0.5), one);
+  return place;
+}
+
+template <class D>
+HWY_INLINE void storeShares(D d, const CouplingGrid& grid, const AxisPlace<D>& place, std::size_t i,
+                            AxisShares& shares) {
+  const auto zero = hn::Zero(d), half = hn::Set(d, 0.5), one = hn::Set(d, 1.0);
+  const auto beyondFace = (place.within - place.upper) * place.size;
+  const auto above = half + beyondFace * hn::Set(d, grid.perDiameter);
+  hn::Store(hn::Max(zero, hn::Min(above, one)), d, shares.volume + i);
+  hn::Store((place.within - half) * place.slope + (one - place.upper), d, shares.centre + i);
+  hn::Store(place.within, d, shares.face + i);
+}
+
+/// Whole numbers up to 2^51 have their value in the last bits of a double when this is added.
+inline constexpr double wholeBits = 0x1.8p52;
+
+template <class D>
+HWY_INLINE void storeIndices(D d, Numbering numbering, const AxisPlace<D>& x, const AxisPlace<D>& y,
+                             std::size_t i, PointIndices& indices) {
+  const auto stride = hn::Set(d, numbering.stride);
+  const auto cell =
+      (y.cell + y.upper) * stride + (x.cell + x.upper) + hn::Set(d, wholeBits - numbering.origin);
+  hn::Store(cell, d, indices.cell + i);
+  hn::Store(cell - x.upper, d, indices.uprightFace + i);
+  hn::Store(cell - y.upper * stride, d, indices.levelFace + i);
+}
+
+/// How much of a particle at height y is coupled.
+template <class D, class V>
+HWY_INLINE V coupledShare(D d, const CouplingGrid& grid, V y) {
+  const V below = hn::Set(d, grid.taperShift) - y * hn::Set(d, grid.taperSlope);
+  const V s = hn::Max(hn::Zero(d), hn::Min(below, hn::Set(d, 1.0)));
+  return s * s * (hn::Set(d, 3.0) - (s + s));
+}
+
+/// Calls body(d, i, place along x, along y) for vectors of `n` particles, at most a batch, once their shares
+/// are stored.
+template <class Body>
+HWY_INLINE void locate(const CouplingGrid& grid, const Vec2* position, std::size_t n, BatchShares& shares,
+                       const Body& body) {
+  forVectors(n, [&](auto d, std::size_t i) HWY_ATTR {
+    const auto at = loadPlane(d, position + i);
+    const auto x = findPlace(d, grid.x, inside(d, at.x, hn::Set(d, grid.x.length)));
+    const auto y = findPlace(d, grid.y, inside(d, at.y, hn::Set(d, grid.y.length)));
+    storeShares(d, grid, x, i, shares.x);
+    storeShares(d, grid, y, i, shares.y);
+    hn::Store(coupledShare(d, grid, at.y), d, shares.coupled + i);
+    body(d, i, x, y);
+  });
+}
+
+}  // namespace bedmix::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif
