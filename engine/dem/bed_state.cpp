@@ -1,18 +1,21 @@
 // SPDX-License-Identifier: MIT
 #include "engine/dem/bed_state.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace bedmix {
 
 namespace {
 
-template <class T>
-void permute(const std::vector<std::int32_t>& order, std::vector<T>& values, std::vector<T>& spare) {
-  if (values.empty()) return;
-  spare.resize(values.size());
-  for (std::size_t k = 0; k < order.size(); ++k) spare[k] = values[order[k]];
-  values.swap(spare);
+/// Moves two arrays to a new order by way of a third, which is as long; either may be empty.
+template <class Number>
+void permute(const std::vector<std::int32_t>& order, std::vector<Vec2>& vectors, std::vector<Number>& numbers,
+             std::vector<Load>& spare) {
+  for (std::size_t k = 0; k < vectors.size(); ++k) spare[k].force = vectors[order[k]];
+  for (std::size_t k = 0; k < numbers.size(); ++k) spare[k].torque = numbers[order[k]];
+  for (std::size_t k = 0; k < vectors.size(); ++k) vectors[k] = spare[k].force;
+  for (std::size_t k = 0; k < numbers.size(); ++k) numbers[k] = static_cast<Number>(spare[k].torque);
 }
 
 }  // namespace
@@ -27,15 +30,18 @@ BedState::BedState(const Scene& scene, Particles start, const std::vector<WallSe
       step(scene.time.step),
       team(t) {}
 
+// Loads are about to be evaluated anew; until then they lend their memory.
 bool BedState::sort() {
   if (!contacts.sort(particles.position)) return false;
   const std::vector<std::int32_t>& order = contacts.order();
-  permute(order, particles.id, spareIds_);
-  for (std::vector<Vec2>* values :
-       {&particles.position, &particles.velocity, &particles.external, &particles.foreseen, &ahead})
-    permute(order, *values, spareVectors_);
-  for (std::vector<double>* values : {&particles.spin, &particles.drag, &spinAhead})
-    permute(order, *values, spareNumbers_);
+  Particles& p = particles;
+  permute(order, p.position, p.id, loads);
+  permute(order, p.velocity, p.spin, loads);
+  permute(order, p.external, p.drag, loads);
+  permute(order, p.foreseen, spinAhead, loads);
+  std::vector<double> none;
+  permute(order, ahead, none, loads);
+  std::fill(loads.begin(), loads.end(), Load{});
   return true;
 }
 

@@ -47,13 +47,9 @@ struct BedState {
   ThreadTeam& team;
   DemSeconds seconds;
 
-  /// Sorts the particles in space, for a new contact list; false where not all are at finite places.
+  /// Sorts the particles in space, for a new contact list; false where not all are at finite places. Loads
+  /// are zero afterwards.
   bool sort();
-
- private:
-  std::vector<Vec2> spareVectors_;
-  std::vector<double> spareNumbers_;
-  std::vector<std::int32_t> spareIds_;
 };
 
 }  // namespace bedmix

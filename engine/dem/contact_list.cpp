@@ -10,13 +10,17 @@ namespace bedmix {
 namespace {
 
 constexpr double skinOverDiameter = 0.4;        // measured, see assets/docs/performance.md
-constexpr double innerSkinOverDiameter = 0.06;  // likewise
+constexpr double innerSkinOverDiameter = 0.04;  // likewise
 constexpr double leastRemainder = 0.125;  // of the skin; with less left a new list is cheaper than measuring
 constexpr std::size_t vector = 8;         // the longest vector, in doubles
+constexpr std::size_t stretch = 512;      // candidates looked at before room is made for more
 
+/// Grows by a tenth and not, as resize() does by itself, to twice as much.
 template <class T>
 void atLeast(std::vector<T>& values, std::size_t size) {
-  if (values.size() < size) values.resize(size);
+  if (values.size() >= size) return;
+  if (values.capacity() < size) values.reserve(size + size / 10);
+  values.resize(size);
 }
 
 }  // namespace
@@ -77,7 +81,7 @@ void ContactList::rememberContacts() {
           // The spring is along t, which turns with n, and so does what it pulls at: its sign stays.
           if (second < first) std::swap(first, second);
         }
-        visit(Contact{first, second, s.spring[c], s.slip[c]});
+        visit(first, second, s, c);
       }
     };
     for (const ContactBlock& block : blocks_) {
@@ -88,17 +92,29 @@ void ContactList::rememberContacts() {
     }
   };
   rememberedStart_.assign(order.size() + 1, 0);
-  forContacts([&](const Contact& c) { ++rememberedStart_[c.first]; });
+  forContacts([&](std::int32_t first, auto&&...) { ++rememberedStart_[first]; });
   std::int32_t end = 0;
   for (std::int32_t& s : rememberedStart_) s = end += s;
-  remembered_.resize(static_cast<std::size_t>(end));
-  forContacts([&](const Contact& c) { remembered_[--rememberedStart_[c.first]] = c; });
+  atLeast(remembered_.second, static_cast<std::size_t>(end));
+  atLeast(remembered_.spring, static_cast<std::size_t>(end));
+  atLeast(remembered_.slip, static_cast<std::size_t>(end));
+  forContacts([&](std::int32_t first, std::int32_t second, const ContactSlots& s, std::size_t c) {
+    const std::int32_t to = --rememberedStart_[first];
+    remembered_.second[to] = second;
+    remembered_.spring[to] = s.spring[c];
+    remembered_.slip[to] = s.slip[c];
+  });
 }
 
-const ContactList::Contact* ContactList::remembered(std::int32_t first, std::int32_t second) const {
-  for (std::int32_t c = rememberedStart_[first]; c < rememberedStart_[first + 1]; ++c)
-    if (remembered_[c].second == second) return &remembered_[c];
-  return nullptr;
+void ContactList::recall(ContactSlots& slots, std::int32_t wall) const {
+  for (std::size_t c = 0; c < slots.count; ++c) {
+    const std::int32_t first = slots.first[c], second = wall == 0 ? slots.second[c] : wall;
+    std::int32_t old = rememberedStart_[first];
+    while (old < rememberedStart_[first + 1] && remembered_.second[old] != second) ++old;
+    const bool found = old < rememberedStart_[first + 1];
+    slots.spring[c] = found ? remembered_.spring[old] : 0.0;
+    slots.slip[c] = found ? remembered_.slip[old] : 0.0;
+  }
 }
 
 void ContactList::find(std::size_t b, const std::vector<Vec2>& position, ContactSlots& spare) {
@@ -127,7 +143,7 @@ void ContactList::findPairs(ContactBlock& block, const std::vector<Vec2>& positi
   const auto scan = [&](std::size_t i, Range others) {
     const Range here{others.begin, std::min(others.end, block.particles.end)};
     if (here.begin < here.end && count + here.size() > inside.size())
-      inside.resize(inside.size() + here.size() + block.particles.size() / 4);
+      atLeast(inside, inside.size() + here.size() + block.particles.size() / 8);
     for (std::size_t j = here.begin; j < here.end; ++j) {
       const Vec2 apart = position[j] - position[i];
       inside[count] = {static_cast<std::int32_t>(i), static_cast<std::int32_t>(j)};
@@ -165,14 +181,6 @@ void ContactList::findWalls(ContactBlock& block, const std::vector<Vec2>& positi
   }
 }
 
-void ContactList::recall(ContactSlots& slots, std::int32_t wall) const {
-  for (std::size_t c = 0; c < slots.count; ++c) {
-    const Contact* old = remembered(slots.first[c], wall == 0 ? slots.second[c] : wall);
-    slots.spring[c] = old ? old->spring : 0.0;
-    slots.slip[c] = old ? old->slip : 0.0;
-  }
-}
-
 void ContactList::link() {
   for (ContactBlock& block : blocks_) block.incoming.clear();
   for (std::size_t b = 0; b < blocks_.size(); ++b) {
@@ -187,42 +195,43 @@ void ContactList::link() {
   }
 }
 
-// No branch: who is near is packed to the front, and the old ones are met in the same order.
 void ContactList::refresh(std::size_t b, const std::vector<Vec2>& position, ContactSlots& spare) {
   ContactBlock& block = blocks_[b];
   std::swap(block.near, spare);
+  block.near.count = 0;
   const ContactSlots& old = spare;
-  ContactSlots& near = block.near;
-  near.reserve(block.candidateCount, true, friction_);
-  const std::span candidates(block.candidates.data(), block.candidateCount);
+  std::size_t met = 0;  // of the old ones
+  for (std::size_t k = 0; k < block.candidateCount; k += stretch) {
+    const std::span some(block.candidates.data() + k, std::min(stretch, block.candidateCount - k));
+    block.near.reserve(block.near.count + some.size(), true, friction_);
+    if (friction_)
+      choose<true>(some, position, old, met, block.near);
+    else
+      choose<false>(some, position, old, met, block.near);
+  }
+  block.near.reserve(block.near.count, true, friction_);
+  block.near.pad(static_cast<std::int32_t>(block.particles.begin));
+}
+
+// No branch: who is near is packed to the front, and the old ones are met in the same order.
+template <bool friction>
+void ContactList::choose(std::span<const ContactBlock::Pair> candidates, const std::vector<Vec2>& position,
+                         const ContactSlots& old, std::size_t& met, ContactSlots& near) const {
   const double reach = diameter_ + innerSkin_;
-  std::size_t count = 0;
-  if (friction_ && old.count > 0) {
-    std::size_t o = 0;
-    for (const auto& [i, j] : candidates) {
-      const Vec2 apart = position[j] - position[i];
-      const bool known = old.first[o] == i && old.second[o] == j && o < old.count;
-      near.first[count] = i;
-      near.second[count] = j;
-      near.spring[count] = known ? old.spring[o] : 0.0;
-      near.slip[count] = known ? old.slip[o] : 0.0;
-      o += static_cast<std::size_t>(known);
-      count += static_cast<std::size_t>(dot(apart, apart) < reach * reach);
+  std::size_t count = near.count;
+  for (const auto& [i, j] : candidates) {
+    const Vec2 apart = position[j] - position[i];
+    near.first[count] = i;
+    near.second[count] = j;
+    if constexpr (friction) {
+      const bool known = met < old.count && old.first[met] == i && old.second[met] == j;
+      near.spring[count] = known ? old.spring[met] : 0.0;
+      near.slip[count] = known ? old.slip[met] : 0.0;
+      met += static_cast<std::size_t>(known);
     }
-  } else {
-    for (const auto& [i, j] : candidates) {
-      const Vec2 apart = position[j] - position[i];
-      near.first[count] = i;
-      near.second[count] = j;
-      count += static_cast<std::size_t>(dot(apart, apart) < reach * reach);
-    }
-    if (friction_) {
-      std::fill_n(near.spring.begin(), count, 0.0);
-      std::fill_n(near.slip.begin(), count, 0.0);
-    }
+    count += static_cast<std::size_t>(dot(apart, apart) < reach * reach);
   }
   near.count = count;
-  near.pad(static_cast<std::int32_t>(block.particles.begin));
 }
 
 void ContactList::Displacements::add(double square) {

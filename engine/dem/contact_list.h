@@ -9,6 +9,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 namespace bedmix {
@@ -98,15 +99,13 @@ class ContactList {
   double remainder(const Displacements& d) const;
 
  private:
-  struct Contact {
-    std::int32_t first, second;  // places in the new order; second is -1 - wall at a wall
-    double spring, slip;
-  };
   void rememberContacts();
-  const Contact* remembered(std::int32_t first, std::int32_t second) const;
   void findPairs(ContactBlock& block, const std::vector<Vec2>& position);
   void findWalls(ContactBlock& block, const std::vector<Vec2>& position);
   void recall(ContactSlots& slots, std::int32_t wall) const;
+  template <bool friction>
+  void choose(std::span<const ContactBlock::Pair> candidates, const std::vector<Vec2>& position,
+              const ContactSlots& old, std::size_t& met, ContactSlots& near) const;
 
   double diameter_, skin_, innerSkin_;
   bool friction_;
@@ -115,7 +114,7 @@ class ContactList {
   CellOrder order_;
   std::vector<ContactBlock> blocks_;
   std::vector<Vec2> built_;  // where the particles were when the list was made
-  std::vector<Contact> remembered_;
+  ContactSlots remembered_;  // by their first in the new order; second is -1 - wall at a wall
   std::vector<std::int32_t> rememberedStart_;  // of each first, and one past the last
   std::vector<std::int32_t> placeOf_;          // in the new order, by the old one
 };
