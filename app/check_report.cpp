@@ -3,6 +3,7 @@
 
 #include "engine/core/gas_grid.h"
 #include "engine/core/mixing.h"
+#include "engine/core/thread_team.h"
 #include "engine/simulation.h"
 
 #include <fmt/core.h>
@@ -140,7 +141,8 @@ class Report {
     section_ = "effort";
     Scene loose = scene_;
     loose.start.arrangement = Arrangement::drop;
-    Result<Simulation> simulation = Simulation::make(loose);
+    const int threads = threadsFor(loose.particles.count, availableCores());
+    Result<Simulation> simulation = Simulation::make(loose, threads);
     if (!simulation) return add("run time", "unknown", "", toString(simulation.problems.front()));
     const auto start = std::chrono::steady_clock::now();
     const auto elapsed = [&] {
@@ -154,7 +156,8 @@ class Report {
     const double perStep = elapsed() / static_cast<double>(simulation->step());
     add("steps", static_cast<double>(totalSteps(scene_)));
     add("run time", perStep * static_cast<double>(totalSteps(scene_)), "s",
-        fmt::format("measured here over {} steps from a loose start{}", simulation->step(),
+        fmt::format("measured here over {} steps from a loose start, threads: {}{}", simulation->step(),
+                    threads,
                     scene_.start.arrangement == Arrangement::settled ? "; settling comes on top" : ""));
   }
 

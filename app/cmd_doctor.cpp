@@ -2,13 +2,14 @@
 #include "app/commands.h"
 #include "app/scene_library.h"
 #include "app/version.h"
+#include "engine/core/simd.h"
 #include "render/movie.h"
 #include "render/painter.h"
 #include "render/plot.h"
 #include "replay/trajectory_writer.h"
 
 #include <CLI/CLI.hpp>
-#include <fmt/core.h>
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include <memory>
@@ -29,12 +30,17 @@ Result<std::string> probeScenes() {
   return fmt::format("{} in {}", scenes.size(), scenes.front().parent_path().string());
 }
 
+Result<std::string> probeVectors() {
+  return fmt::format("{}, of {}", simdLevelsHere().back(), fmt::join(simdLevelsHere(), ", "));
+}
+
 ExitCode doctor(bool json, const Console& console) {
   const Check checks[]{
       {"pictures", probeSurface(), "apt install libosmesa6 fonts-dejavu-core"},
       {"films", probeEncoder(), "apt install libavcodec59 libx264-164"},
       {"curves", probePlotter(), "apt install gnuplot-nox"},
       {"recording", hdf5Version(), "apt install libhdf5-103-1"},
+      {"vectors", probeVectors(), ""},
       {"scenes", probeScenes(), "cmake --install the program, or run it from its build folder"},
   };
   auto table = nlohmann::ordered_json::array();
@@ -58,7 +64,7 @@ ExitCode doctor(bool json, const Console& console) {
 
 void addDoctorCommand(CLI::App& program, CommandContext context) {
   CLI::App* command =
-      program.add_subcommand("doctor", "Say what of drawing, filming and recording works here");
+      program.add_subcommand("doctor", "Say what of drawing, filming, recording and computing works here");
   auto json = std::make_shared<bool>(false);
   command->add_flag("--json", *json, "Print as JSON");
   command->footer("Example:\n  bedmix doctor");

@@ -6,29 +6,33 @@
 #include "app/scene_library.h"
 #include "app/series.h"
 #include "app/version.h"
+#include "engine/core/simd.h"
+#include "engine/core/thread_team.h"
 #include "engine/worker.h"
 #include "render/film_sink.h"
 #include "replay/summary.h"
 #include "replay/trajectory_writer.h"
 
 #include <CLI/CLI.hpp>
-#include <fmt/core.h>
+#include <fmt/format.h>
 
 #include <algorithm>
+#include <charconv>
 #include <memory>
 #include <optional>
-#include <thread>
 
 namespace bedmix {
 
 namespace {
+
+constexpr const char* automatic = "auto";
 
 struct RunOptions {
   std::string scene;
   std::string folder;
   std::optional<std::string> until, seed;  // as TOML
   std::vector<std::string> settings;       // path=value
-  int threads = 1;
+  std::string threads = automatic, simd = automatic;
   bool video = false, force = false, json = false;
 };
 
@@ -67,9 +71,34 @@ Result<Recording> openRecording(const RunFolder& folder, const Scene& scene) {
   return recording;
 }
 
+/// What is wrong with --threads; empty where nothing is.
+std::string threadsProblem(const std::string& text) {
+  int threads = 0;
+  const char* const last = text.data() + text.size();
+  const bool number = std::from_chars(text.data(), last, threads).ptr == last;
+  return (number && threads >= 1 && threads <= 256) || text == automatic
+             ? ""
+             : text + " is neither auto nor a number from 1 to 256";
+}
+
+/// A film takes a core of its own, unless all are asked for.
+int solverThreads(const RunOptions& options, const Scene& scene) {
+  if (options.threads != automatic) return std::stoi(options.threads);
+  return threadsFor(scene.particles.count, availableCores() - (options.video ? 1 : 0));
+}
+
 /// The cores the solver leaves over, at least one.
-int paintThreads(int solverThreads) {
-  return std::max(1, static_cast<int>(std::thread::hardware_concurrency()) - solverThreads);
+int paintThreads(int solverThreads) { return std::max(1, availableCores() - solverThreads); }
+
+std::vector<std::string> simdChoices() {
+  std::vector<std::string> choices{automatic};
+  choices.insert(choices.end(), simdLevelNames().begin(), simdLevelNames().end());
+  return choices;
+}
+
+/// False where this machine lacks the level.
+bool chooseVectors(const std::string& level) {
+  return level == automatic || useSimdLevel(*simdLevelNamed(level));
 }
 
 /// Drains the solver into the recording until it ends, a stop is asked for or a file cannot be written.
@@ -97,6 +126,7 @@ RunSummary summarize(const Scene& scene, const RunEnd& end, int threads) {
         static_cast<double>(end.steps) * static_cast<double>(scene.particles.count) / end.wallSeconds;
   for (std::size_t i = 0; i < end.stages.size(); ++i) s.stages.emplace_back(stageNames[i], end.stages[i]);
   s.threads = threads;
+  s.simd = simdLevelNames()[static_cast<std::size_t>(simdLevel())];
   s.stateHash = end.stateHash;
   s.endReason = end.reason == EndReason::finished  ? "finished"
                 : end.reason == EndReason::stopped ? "stopped"
@@ -124,6 +154,10 @@ ExitCode run(const RunOptions& options, const Console& console) {
   if (!overrides) return console.fail(overrides.problems);
   const auto scene = loadScene(options.scene, *overrides);
   if (!scene) return console.fail(scene.problems);
+  if (!chooseVectors(options.simd))
+    return console.fail("--simd " + options.simd,
+                        fmt::format("this machine lacks it; it has {}", fmt::join(simdLevelsHere(), ", ")));
+  const int threads = solverThreads(options, *scene);
   const auto folder =
       makeRunFolder(options.folder.empty() ? "out/" + scene->name : options.folder, options.force);
   if (!folder) return console.fail(folder.problems);
@@ -133,7 +167,7 @@ ExitCode run(const RunOptions& options, const Console& console) {
   ExitCode outcome = ExitCode::done;
   if (options.video) {
     FilmOptions film;
-    film.paint.threads = paintThreads(options.threads);
+    film.paint.threads = paintThreads(threads);
     auto sink = FilmSink::create(*scene, folder->video(), film);
     if (sink) {
       recording->film.emplace(std::move(*sink));
@@ -147,7 +181,7 @@ ExitCode run(const RunOptions& options, const Console& console) {
   console.say(
       fmt::format("{} into {}", scene->title.empty() ? scene->name : scene->title, folder->path.string()));
   if (scene->start.arrangement == Arrangement::settled) console.say("settling the bed ...");
-  Worker worker(*scene, options.threads);
+  Worker worker(*scene, threads);
   {
     Progress progress(console, scene->time.duration);
     follow(worker, *recording, progress);
@@ -156,7 +190,7 @@ ExitCode run(const RunOptions& options, const Console& console) {
   if (recording->film)
     if (const auto finished = recording->film->finish(); !finished) outcome = console.fail(finished.problems);
   const RunEnd& end = worker.end();
-  const RunSummary summary = summarize(*scene, end, options.threads);
+  const RunSummary summary = summarize(*scene, end, threads);
   auto fileFailure = recording->failure();
   if (const auto failure = writeSummary(folder->summary(), summary, *scene); failure && !fileFailure)
     fileFailure = failure;
@@ -191,9 +225,17 @@ void addRunCommand(CLI::App& program, CommandContext context) {
       ->type_name("T");
   command->add_option("--seed", options->seed, "Seed of the random start, in place of the scene's")
       ->type_name("N");
-  command->add_option("--threads", options->threads, "Threads of the solver; they never change a result")
-      ->type_name("N")
-      ->check(CLI::Range(1, 256))
+  command
+      ->add_option("--threads", options->threads,
+                   "Threads of the solver, auto by the bed's size; they never change a result")
+      ->type_name("N|auto")
+      ->check(threadsProblem, "")
+      ->capture_default_str();
+  command
+      ->add_option("--simd", options->simd,
+                   "Vector instructions of the solver, auto the best there are; they never change a result")
+      ->type_name("LEVEL")
+      ->check(CLI::IsMember(simdChoices()))
       ->capture_default_str();
   command
       ->add_option("--set", options->settings,

@@ -69,6 +69,12 @@ GasFrame gasFrame(const GasSolver& gas) {
 
 }  // namespace
 
+int threadsFor(std::int64_t particles, int cores) {
+  constexpr std::int64_t fewest = 10000, perThread = 4096;
+  if (particles < fewest) return 1;
+  return static_cast<int>(std::clamp<std::int64_t>(particles / perThread, 1, std::max(1, cores)));
+}
+
 struct Simulation::State {
   Scene scene;
   std::unique_ptr<ThreadTeam> team;

@@ -33,6 +33,10 @@ struct StepReport {
   std::int64_t aboveGridLargest = 0;  // particles above the gas grid at one time
 };
 
+/// How many of `cores` threads pay off for a bed: below some 10,000 particles they wait for each other longer
+/// than they gain, above each has work from 4,096 on.
+int threadsFor(std::int64_t particles, int cores);
+
 /// A bed and its gas, advanced step by step: the list of stages and nothing else. Two simulations of one
 /// scene are the same to the bit. Not thread-safe; one thread owns it (see Worker).
 class Simulation {

@@ -83,6 +83,7 @@ std::optional<Diagnostic> writeSummary(const std::filesystem::path& path, const 
                   {"particle_steps_per_second", s.particleStepsPerSecond},
                   {"stages", stages},
                   {"threads", s.threads},
+                  {"simd", s.simd},
                   {"state_hash", fmt::format("{:016x}", s.stateHash)},
                   {"end_reason", s.endReason}};
 
@@ -120,6 +121,7 @@ Result<RunSummary> readSummary(const std::filesystem::path& path) {
     for (const auto& [name, seconds] : json.at("stages").items())
       s.stages.emplace_back(name, seconds.get<double>());
     json.at("threads").get_to(s.threads);
+    json.at("simd").get_to(s.simd);
     s.stateHash = fromHex(json.at("state_hash").get<std::string>());
     json.at("end_reason").get_to(s.endReason);
     return s;

@@ -26,6 +26,7 @@ struct RunSummary {
   double particleStepsPerSecond = 0.0;                 // per second of wall time
   std::vector<std::pair<std::string, double>> stages;  // wall seconds by stage, in the order of a step
   int threads = 1;
+  std::string simd;  // the instructions the vector loops used
   std::uint64_t stateHash = 0;
   std::string endReason;  // finished, stopped, invalid
 };

@@ -51,6 +51,10 @@ SimdLevel bestSimdLevel() {
   return level;
 }
 
+std::span<const std::string_view> simdLevelsHere() {
+  return simdLevelNames().first(static_cast<std::size_t>(bestSimdLevel()) + 1);
+}
+
 bool useSimdLevel(SimdLevel level) {
   if (level > bestSimdLevel()) return false;
   hwy::DisableTargets(targetsAbove(level));

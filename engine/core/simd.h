@@ -15,8 +15,10 @@ enum class SimdLevel { baseline, avx2, avx512 };
 std::span<const std::string_view> simdLevelNames();
 std::optional<SimdLevel> simdLevelNamed(std::string_view name);
 
-/// The best this machine has.
+/// The best this machine has; it has all below it as well.
 SimdLevel bestSimdLevel();
+/// The names of those it has.
+std::span<const std::string_view> simdLevelsHere();
 /// In use: the best one unless told otherwise.
 SimdLevel simdLevel();
 /// From the next vector loop on; for all threads, so not while a simulation advances. False, and nothing is

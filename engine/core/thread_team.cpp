@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "engine/core/thread_team.h"
 
+#include <algorithm>
 #if defined(__x86_64__)
 #include <immintrin.h>
 #endif
+#include <sched.h>
 
 namespace bedmix {
 
@@ -29,6 +31,13 @@ void waitWhile(const std::atomic<std::uint32_t>& value, std::uint32_t old, int s
 
 }  // namespace
 
+int availableCores() {
+  cpu_set_t mine;
+  if (sched_getaffinity(0, sizeof mine, &mine) == 0) return CPU_COUNT(&mine);
+  return std::max(1,
+                  static_cast<int>(std::thread::hardware_concurrency()));  // more cores than cpu_set_t holds
+}
+
 ThreadTeam& oneThread() {
   static ThreadTeam team(1);
   return team;
@@ -36,7 +45,7 @@ ThreadTeam& oneThread() {
 
 ThreadTeam::ThreadTeam(int threads) {
   // Where cores are fewer than members, whoever spins keeps the others from working.
-  const bool crowded = threads > static_cast<int>(std::thread::hardware_concurrency());
+  const bool crowded = threads > availableCores();
   spins_ = crowded ? 0 : longSpins;
   absent_ = threads;
   for (int member = 1; member < threads; ++member) helpers_.emplace_back([this, member] { work(member); });

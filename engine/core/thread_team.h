@@ -10,6 +10,9 @@
 
 namespace bedmix {
 
+/// The cores this process may use: those of the machine, or fewer where it is bound to some of them.
+int availableCores();
+
 /// Part [begin, end) of a loop.
 struct Range {
   std::size_t begin = 0, end = 0;

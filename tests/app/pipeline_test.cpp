@@ -97,6 +97,32 @@ TEST_F(Pipeline, ReplayWithOtherSettings) {
   EXPECT_LT(table->find("lacey")->at(0).value(), 0.5);  // bottom and top are not mixed yet
 }
 
+TEST_F(Pipeline, VectorInstructionsDoNotChangeTheState) {
+  ASSERT_EQ(bedmix({"run", "tiny", "-o", "auto"}).exitCode, 0);
+  const auto best = summaryOf(folder / "auto");
+  const std::string here = bedmix({"doctor"}).out;
+  EXPECT_TRUE(contains(here, best["simd"].get<std::string>() + ", of baseline"));
+  for (const char* level : {"baseline", "avx2", "avx512"}) {
+    const Outcome run = bedmix({"run", "tiny", "-o", level, "--simd", level});
+    if (here.find(level) != std::string::npos) {
+      ASSERT_EQ(run.exitCode, 0) << run.err;
+      EXPECT_EQ(summaryOf(folder / level)["simd"], level);
+      EXPECT_EQ(summaryOf(folder / level)["state_hash"], best["state_hash"]);
+    } else {
+      EXPECT_EQ(run.exitCode, 2);
+      EXPECT_TRUE(contains(run.err, "this machine lacks it; it has baseline"));
+      EXPECT_FALSE(fs::exists(folder / level));
+    }
+  }
+}
+
+TEST_F(Pipeline, SmallBedsRunOnOneThreadUnlessToldOtherwise) {
+  ASSERT_EQ(bedmix({"run", "tiny", "-o", "auto", "--threads", "auto"}).exitCode, 0);
+  EXPECT_EQ(summaryOf(folder / "auto")["threads"], 1);
+  ASSERT_EQ(bedmix({"run", "tiny", "-o", "two", "--threads", "2"}).exitCode, 0);
+  EXPECT_EQ(summaryOf(folder / "two")["threads"], 2);
+}
+
 struct Case {
   const char* scene;
   const char* until;

@@ -21,6 +21,7 @@ RunSummary someSummary() {
   s.particleStepsPerSecond = 5.1e7;
   s.stages = {{"neighbours", 1.5}, {"drag", 0.1}, {"contacts", 2.25}};
   s.threads = 4;
+  s.simd = "avx2";
   s.stateHash = 0x00c0ffee;
   s.endReason = "stopped";
   return s;
@@ -43,6 +44,7 @@ TEST(Summary, GivesBackWhatWasWritten) {
   EXPECT_EQ(read->particleStepsPerSecond, written.particleStepsPerSecond);
   EXPECT_EQ(read->stages, written.stages);
   EXPECT_EQ(read->threads, written.threads);
+  EXPECT_EQ(read->simd, written.simd);
   EXPECT_EQ(read->stateHash, written.stateHash);
   EXPECT_EQ(read->endReason, written.endReason);
 }
