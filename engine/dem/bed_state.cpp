@@ -22,7 +22,7 @@ void permute(const std::vector<std::int32_t>& order, std::vector<Vec2>& vectors,
 
 BedState::BedState(const Scene& scene, Particles start, const std::vector<WallSegment>& walls, ThreadTeam& t)
     : particles(std::move(start)),
-      contacts(scene.particles.diameter, walls, particles.size(), scene.contacts.friction.has_value()),
+      contacts(scene, walls, particles.size()),
       loads(particles.size()),
       ahead(particles.size()),
       spinAhead(particles.spin.size()),

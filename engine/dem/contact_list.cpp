@@ -23,6 +23,15 @@ void atLeast(std::vector<T>& values, std::size_t size) {
   values.resize(size);
 }
 
+/// Blocks whose contacts are evaluated together: as large as a core's cache likes, but several strips, so
+/// that few contacts cross from one to the next.
+std::size_t contactBlocks(const Scene& scene, std::size_t particles) {
+  const double d = scene.particles.diameter, across = scene.bed.width / d;
+  const double strip = std::min(across, static_cast<double>(particles) / across);
+  const double size = std::max(1024.0, 8.0 * strip);
+  return std::max<std::size_t>(1, static_cast<std::size_t>(static_cast<double>(particles) / size));
+}
+
 }  // namespace
 
 void ContactSlots::reserve(std::size_t slots, bool withSecond, bool withHistory) {
@@ -42,15 +51,14 @@ void ContactSlots::pad(std::int32_t own) {
   std::fill_n(slip.begin() + static_cast<std::ptrdiff_t>(count), vector, 0.0);
 }
 
-ContactList::ContactList(double diameter, const std::vector<WallSegment>& walls, std::size_t particles,
-                         bool friction)
-    : diameter_(diameter),
-      skin_(skinOverDiameter * diameter),
-      innerSkin_(innerSkinOverDiameter * diameter),
-      friction_(friction),
+ContactList::ContactList(const Scene& scene, const std::vector<WallSegment>& walls, std::size_t particles)
+    : diameter_(scene.particles.diameter),
+      skin_(skinOverDiameter * diameter_),
+      innerSkin_(innerSkinOverDiameter * diameter_),
+      friction_(scene.contacts.friction.has_value()),
       walls_(wallShapes(walls)),
       order_(diameter_ + skin_),
-      blocks_(blocksOf(particles)) {
+      blocks_(contactBlocks(scene, particles)) {
   for (std::size_t b = 0; b < blocks_.size(); ++b) {
     blocks_[b].particles = blockOf(particles, blocks_.size(), b);
     for (std::size_t w = 0; w < walls_.size(); ++w) blocks_[b].walls.push_back({w, {}});
@@ -183,12 +191,14 @@ void ContactList::findWalls(ContactBlock& block, const std::vector<Vec2>& positi
 
 void ContactList::link() {
   for (ContactBlock& block : blocks_) block.incoming.clear();
+  reach_ = 0;
   for (std::size_t b = 0; b < blocks_.size(); ++b) {
     const ContactSlots& crossing = blocks_[b].crossing;
     for (std::size_t row = 0; row < crossing.count; ++row) {
       const std::int32_t particle = crossing.second[row];
       std::size_t to = b + 1;
       while (static_cast<std::size_t>(particle) >= blocks_[to].particles.end) ++to;
+      reach_ = std::max(reach_, to - b);
       blocks_[to].incoming.push_back(
           {static_cast<std::int32_t>(b), static_cast<std::int32_t>(row), particle});
     }

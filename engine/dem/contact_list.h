@@ -70,13 +70,15 @@ struct SkinBudget {
 /// bound after Tian et al. (2007), Eq. (11). Pairs ascend in memory, and sums over them with them.
 class ContactList {
  public:
-  ContactList(double diameter, const std::vector<WallSegment>& walls, std::size_t particles, bool friction);
+  ContactList(const Scene& scene, const std::vector<WallSegment>& walls, std::size_t particles);
 
   std::size_t blocks() const { return blocks_.size(); }
   ContactBlock& block(std::size_t b) { return blocks_[b]; }
   const ContactBlock& block(std::size_t b) const { return blocks_[b]; }
   const std::vector<WallShape>& walls() const { return walls_; }
   std::int64_t builds() const { return builds_; }
+  /// How many blocks further contacts reach at most.
+  std::size_t reach() const { return reach_; }
 
   /// A new list is made in four calls, each once all members have done the last one: sort() by one of them,
   /// who then moves particles to their new order() unless it is false, not all being at finite places; find()
@@ -110,6 +112,7 @@ class ContactList {
   double diameter_, skin_, innerSkin_;
   bool friction_;
   std::int64_t builds_ = 0;
+  std::size_t reach_ = 0;
   std::vector<WallShape> walls_;
   CellOrder order_;
   std::vector<ContactBlock> blocks_;

@@ -32,7 +32,7 @@ void VelocityVerlet::begin(BedState& bed) {
   bed.team.run([&](int index) {
     Member m = start(bed, index);
     rebuild(bed, m);
-    evaluate(bed, m, atStart_);
+    for (std::size_t b = m.blocks.begin; b < m.blocks.end; ++b) evaluate(bed, b, atStart_);
     bed.team.barrier();
     for (std::size_t b = m.blocks.begin; b < m.blocks.end; ++b) ContactForces::addIncoming(bed, b);
     if (index == 0) bed.budget = m.budget;
@@ -57,40 +57,39 @@ StepOutcome VelocityVerlet::advance(BedState& bed, std::int64_t steps, double ma
   return outcome;
 }
 
+// Block after block is evaluated and moved at once, while it is in the cache: its contacts are all with
+// itself and with later blocks, which have not moved yet. Only blocks whose contacts reach into those of the
+// next member come first.
 void VelocityVerlet::walk(BedState& bed, Member& m, std::int64_t steps, double maxOverlap) {
-  const bool first = m.index == 0;
-  for (std::int64_t& taken = m.outcome.steps; taken < steps && deepestOverlap(bed) <= maxOverlap; ++taken) {
-    // The end of a step and the beginning of the next in one pass over memory.
-    if (taken == 0)
-      move(bed, m, &MotionKernel::drift, false);
-    else
-      move(bed, m, &MotionKernel::kickAndDrift, true);
-    bed.team.barrier();
-    if (first) m.timer.lap(m.seconds.integrate);
-    m.outcome.finite = keepLists(bed, m);
-    if (!m.outcome.finite) return;
-    if (first) m.timer.lap(m.seconds.neighbours);
-    evaluate(bed, m, contacts_);
-    bed.team.barrier();
-    if (first) m.timer.lap(m.seconds.contacts);
-  }
-  move(bed, m, &MotionKernel::kick, true);
-  if (first) m.timer.lap(m.seconds.integrate);
-}
-
-void VelocityVerlet::move(BedState& bed, Member& m, double (MotionKernel::*how)(Range) const,
-                          bool withIncoming) {
   const MotionKernel kernel = motion(bed);
-  for (std::size_t b = m.blocks.begin; b < m.blocks.end; ++b) {
-    if (withIncoming) ContactForces::addIncoming(bed, b);
-    fastest2_[b] = (kernel.*how)(bed.contacts.block(b).particles);
+  const auto particles = [&](std::size_t b) { return bed.contacts.block(b).particles; };
+  for (std::size_t b = m.blocks.begin; b < m.blocks.end; ++b) fastest2_[b] = kernel.drift(particles(b));
+  for (std::int64_t& taken = m.outcome.steps; taken < steps;) {
+    bed.team.barrier();
+    m.lap(m.seconds.integrate);
+    if (taken > 0 && deepestOverlap(bed) > maxOverlap) return;
+    m.outcome.finite = keepLists(bed, m);
+    m.lap(m.seconds.neighbours);
+    if (!m.outcome.finite) return;
+
+    const std::size_t inner =
+        m.blocks.size() > bed.contacts.reach() ? m.blocks.end - bed.contacts.reach() : m.blocks.begin;
+    for (std::size_t b = inner; b < m.blocks.end; ++b) evaluate(bed, b, contacts_);
+    bed.team.barrier();
+    const bool last = ++taken == steps;
+    for (std::size_t b = m.blocks.begin; b < m.blocks.end; ++b) {
+      if (b < inner) evaluate(bed, b, contacts_);
+      ContactForces::addIncoming(bed, b);
+      m.lap(m.seconds.contacts);
+      fastest2_[b] = last ? kernel.kick(particles(b)) : kernel.kickAndDrift(particles(b));
+      m.lap(m.seconds.integrate);
+    }
   }
 }
 
-void VelocityVerlet::evaluate(BedState& bed, const Member& m, const ContactForces& contacts) {
+void VelocityVerlet::evaluate(BedState& bed, std::size_t block, const ContactForces& contacts) const {
   const Motion at{bed.particles.position.data(), bed.ahead.data(), bed.spinAhead.data()};
-  for (std::size_t b = m.blocks.begin; b < m.blocks.end; ++b)
-    contacts.evaluate(bed, b, at, [](ContactSlots& slots, std::size_t) { return inPlace(slots); });
+  contacts.evaluate(bed, block, at, [](ContactSlots& slots, std::size_t) { return inPlace(slots); });
 }
 
 // Every member comes to the same decisions, so that all meet as often.
@@ -124,6 +123,7 @@ bool VelocityVerlet::rebuild(BedState& bed, Member& m) {
     bed.contacts.find(b, bed.particles.position, spare_[m.index]);
   bed.team.barrier();
   if (m.index == 0) bed.contacts.link();
+  bed.team.barrier();
   m.budget = bed.contacts.fullBudget();
   return true;
 }
