@@ -147,6 +147,10 @@ Result<Simulation> Simulation::make(const Scene& scene, int threads) {
   return Simulation(scene, std::move(*start), std::move(team));
 }
 
+Simulation Simulation::make(const Scene& scene, Particles start, int threads) {
+  return Simulation(scene, std::move(start), std::make_unique<ThreadTeam>(threads));
+}
+
 Simulation::Simulation(const Scene& scene, Particles start, std::unique_ptr<ThreadTeam> team)
     : state_(std::make_unique<State>()) {
   State& s = *state_;
@@ -187,6 +191,7 @@ void Simulation::setInlets(const std::vector<Inlet>& inlets) {
 std::int64_t Simulation::step() const { return state_->step; }
 double Simulation::time() const { return timeOfStep(state_->scene, state_->step); }
 std::int64_t Simulation::gasSteps() const { return state_->gasSteps; }
+std::int64_t Simulation::contacts() const { return state_->solver->contactCount(); }
 const StageSeconds& Simulation::stageSeconds() const { return state_->seconds; }
 const StepReport& Simulation::report() const { return state_->report; }
 

@@ -45,6 +45,8 @@ class Simulation {
   /// `threads` never changes a result. Fails where the particles find no room or settling breaks the overlap
   /// limit.
   static Result<Simulation> make(const Scene& scene, int threads = 1);
+  /// Takes the bed as it stands in `start`, which must fit the scene.
+  static Simulation make(const Scene& scene, Particles start, int threads = 1);
   ~Simulation();
   Simulation(Simulation&&) noexcept;
   Simulation& operator=(Simulation&&) noexcept;
@@ -63,6 +65,8 @@ class Simulation {
   FramePtr frame() const;
   /// Of the whole double state, in the order of the ids.
   std::uint64_t stateHash() const;
+  /// Touching pairs and wall contacts at the last step.
+  std::int64_t contacts() const;
   const StageSeconds& stageSeconds() const;
   const StepReport& report() const;
 

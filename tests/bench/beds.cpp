@@ -70,7 +70,7 @@ Particles agitatedBed(std::int64_t particles) {
   return inOrderOfIds(solver->particles());
 }
 
-Result<Particles> readBed(const std::string& path) {
+Result<Particles> readBed(const std::string& path, std::int64_t tiles) {
   std::ifstream file(path);
   if (!file) return Diagnostic({path}, "cannot be read; give a file of rows `x y vx vy`", Trouble::file);
   std::vector<Vec2> positions, velocities;
@@ -82,8 +82,16 @@ Result<Particles> readBed(const std::string& path) {
   if (!file.eof() || positions.empty())
     return Diagnostic({path, static_cast<int>(positions.size()) + 1, 1},
                       "not a row of four numbers x y vx vy");
-  Particles bed = makeParticles(bedScene(static_cast<std::int64_t>(positions.size())), positions);
-  bed.velocity = velocities;
+  const std::size_t one = positions.size(), all = one * static_cast<std::size_t>(tiles);
+  const double width = bedScene(static_cast<std::int64_t>(one)).bed.width;
+  positions.reserve(all);
+  velocities.reserve(all);
+  for (std::size_t i = one; i < all; ++i) {
+    positions.push_back(positions[i - one] + Vec2{width, 0.0});
+    velocities.push_back(velocities[i - one]);
+  }
+  Particles bed = makeParticles(bedScene(static_cast<std::int64_t>(all)), positions);
+  bed.velocity = std::move(velocities);
   return bed;
 }
 

@@ -25,8 +25,8 @@ Particles packedBed(std::int64_t particles);
 /// 0.2 contacts a particle.
 Particles agitatedBed(std::int64_t particles);
 
-/// A bed from a file with one row `x y vx vy` (m, m/s) a particle. Fails where the file cannot be read or
-/// holds anything else.
-Result<Particles> readBed(const std::string& path);
+/// A bed from a file with one row `x y vx vy` (m, m/s) a particle, `tiles` times side by side. Fails where
+/// the file cannot be read or holds anything else.
+Result<Particles> readBed(const std::string& path, std::int64_t tiles = 1);
 
 }  // namespace bedmix::bench

@@ -49,7 +49,8 @@ run_liggghts() { # NAME RELAX STEPS N
   # Contacts as bedmix counts them in the state LIGGGHTS ended in.
   awk 'NR > 9 { print $2, $3, $4, $5 }' "$scratch/$1.dump" >"$scratch/end.txt"
   local contacts
-  contacts=$("$ours" "$scratch/end.txt" --relax 0 --steps 1 --repeats 1 | awk -F, 'END { print $(NF - 1) }')
+  contacts=$("$ours" "$scratch/end.txt" --relax 0 --steps 1 --repeats 1 |
+    awk -F, 'NR == 1 { for (c = 1; c <= NF; c++) column[$c] = c } END { print $column["contacts_per_particle"] }')
   awk -v name="$1" -v n="$4" -v steps="$3" -v contacts="$contacts" '/^Loop time/ { seconds = $4 }
     END { printf "%s,%d,%d,%.2f,%s\n", name, n, steps, 1e9 * seconds / n / steps, contacts }' "$scratch/log" >>"$out/liggghts.csv"
 }

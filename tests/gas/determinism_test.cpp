@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "engine/dem/packing.h"
 #include "engine/simulation.h"
 #include "engine/worker.h"
 #include "tests/gas/gas_scenes.h"
@@ -40,6 +41,26 @@ TEST(Determinism, ThreadsDoNotMatterWhereThereIsWorkForThem) {
     ASSERT_EQ(many.advance(200), std::nullopt);
     ASSERT_EQ(many.stateHash(), one.stateHash()) << threads << " threads";
   }
+}
+
+TEST(Determinism, AStartOfOnesOwnIsAStartLikeAnyOther) {
+  Simulation packed = test::simulate(smallScene());
+  Simulation given = Simulation::make(smallScene(), *packBed(smallScene()), 2);
+  ASSERT_EQ(packed.stateHash(), given.stateHash());
+  ASSERT_EQ(packed.advance(100), std::nullopt);
+  ASSERT_EQ(given.advance(100), std::nullopt);
+  EXPECT_EQ(packed.stateHash(), given.stateHash());
+  EXPECT_GT(packed.contacts(), 60);  // the bed still lies on the floor
+  EXPECT_EQ(packed.contacts(), given.contacts());
+}
+
+TEST(Determinism, BedsGetAsManyThreadsAsPayOff) {
+  EXPECT_EQ(threadsFor(60, 4), 1);
+  EXPECT_EQ(threadsFor(9999, 4), 1);
+  EXPECT_EQ(threadsFor(10000, 4), 2);
+  EXPECT_EQ(threadsFor(100000, 4), 4);
+  EXPECT_EQ(threadsFor(100000, 64), 24);
+  EXPECT_EQ(threadsFor(100000, 0), 1);
 }
 
 TEST(Determinism, HowStepsAreAskedForDoesNotMatter) {
