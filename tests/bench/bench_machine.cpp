@@ -50,12 +50,13 @@ struct alignas(64) Line {
 
 /// Three arrays of together `bytes` a thread.
 double triadRate(ThreadTeam& team, std::size_t bytes) {
-  const std::size_t n = bytes / 24;
+  // Apart by no power of two, or loads wait for stores whose addresses look the same.
+  const std::size_t n = bytes / 24, apart = n + 40;
   std::vector<std::vector<Line>> arrays(static_cast<std::size_t>(team.size()));
-  team.run([&](int member) { arrays[member].resize(3 * n / 8); });
+  team.run([&](int member) { arrays[member].resize(3 * apart / 8); });
   return best(team, [&](int member, std::size_t times) {
     double* const a = arrays[member].front().values;
-    for (std::size_t t = 0; t < times; ++t) triad(a, a + n, a + 2 * n, 0.5, n);
+    for (std::size_t t = 0; t < times; ++t) triad(a, a + apart, a + 2 * apart, 0.5, n);
     return 24.0 * static_cast<double>(n * times);
   });
 }
