@@ -15,9 +15,10 @@ Exchange::Exchange(const Scene& scene, const GasSolver& gas, const VoidageField&
       law_(scene.gas->drag),
       properties_{scene.particles.diameter, scene.gas->density, scene.gas->viscosity},
       step_(scene.gas->step),
-      atPoints_{std::vector<double>(grid_.points()), std::vector<double>(grid_.points()),
-                std::vector<Vec2>(grid_.points())},
-      pressure_(grid_.points()) {
+      uprightVelocity_(grid_.points()),
+      levelVelocity_(grid_.points()),
+      pressure_(grid_.points()),
+      gradient_(grid_.points()) {
   for (const CouplingGrid::Place& at : grid_.cells) {
     cell_.push_back(static_cast<std::int32_t>(gas.grid().cell(at.i, at.j)));
     slopes_.push_back(slopes(at.i, at.j));
@@ -43,8 +44,8 @@ Exchange::Slopes Exchange::slopes(int i, int j) const {
 void Exchange::copyVelocity(Range points) {
   const std::vector<double>& velocity = gas_.fields().velocity;
   for (std::size_t k = points.begin; k < points.end; ++k) {
-    atPoints_.uprightVelocity[k] = velocity[uprightFace_[k]];
-    atPoints_.levelVelocity[k] = velocity[levelFace_[k]];
+    uprightVelocity_[k] = velocity[uprightFace_[k]];
+    levelVelocity_[k] = velocity[levelFace_[k]];
   }
 }
 
@@ -58,13 +59,38 @@ void Exchange::findGradient(Range points) {
   for (std::size_t k = points.begin; k < points.end; ++k) {
     const Slopes& s = slopes_[k];
     const double* const p = &pressure_[grid_.point(grid_.cells[k])];
-    atPoints_.pressureGradient[k] = {s.left * (p[0] - p[-1]) + s.right * (p[1] - p[0]),
-                                     s.bottom * (p[0] - p[-grid_.stride]) + s.top * (p[grid_.stride] - p[0])};
+    gradient_[k] = {s.left * (p[0] - p[-1]) + s.right * (p[1] - p[0]),
+                    s.bottom * (p[0] - p[-grid_.stride]) + s.top * (p[grid_.stride] - p[0])};
+  }
+}
+
+ExchangeKernel Exchange::kernel(Particles& particles) const {
+  return {.grid = &grid_,
+          .gasStep = step_,
+          .uprightVelocity = uprightVelocity_.data(),
+          .levelVelocity = levelVelocity_.data(),
+          .voidage = voidage_.atPoints().data(),
+          .pressureGradient = gradient_.data(),
+          .position = particles.position.data(),
+          .velocity = particles.velocity.data(),
+          .external = particles.external.data(),
+          .foreseen = particles.foreseen.data(),
+          .drag = particles.drag.data()};
+}
+
+/// Calls body(batch) for the batches of a block.
+template <class Body>
+static void forBatches(Range block, const Body& body) {
+  ExchangeBatch batch;
+  for (batch.begin = block.begin; batch.begin < block.end; batch.begin += batch.size) {
+    batch.size = std::min(batchSize, block.end - batch.begin);
+    body(batch);
   }
 }
 
 void Exchange::evaluateDrag(Particles& particles, MomentumExchange& exchange) {
   const std::size_t n = particles.size(), faces = exchange.source.size();
+  const ExchangeKernel loops = kernel(particles);
   sums_.resize(blocksOf(n));
   team_.run([&](int member) {
     copyVelocity(team_.share(grid_.points(), member));
@@ -73,33 +99,34 @@ void Exchange::evaluateDrag(Particles& particles, MomentumExchange& exchange) {
     std::fill_n(exchange.source.begin() + cleared.begin, cleared.end - cleared.begin, 0.0);
     team_.barrier();
     const Range mine = team_.share(sums_.size(), member);
-    for (std::size_t b = mine.begin; b < mine.end; ++b)
-      giveDrag(particles, blockOf(n, sums_.size(), b), sums_[b]);
-    team_.barrier();
-    const Range columns = grid_.columnsOf(team_, member);
-    for (const BlockSum<FaceSums>& sum : sums_)
-      sum.forPoints(grid_, columns, [&](std::size_t k, const FaceSums& s) {
-        exchange.coefficient[uprightFace_[k]] += s.uprightCoefficient;
-        exchange.source[uprightFace_[k]] += s.uprightSource;
-        exchange.coefficient[levelFace_[k]] += s.levelCoefficient;
-        exchange.source[levelFace_[k]] += s.levelSource;
+    for (std::size_t b = mine.begin; b < mine.end; ++b) {
+      const Range block = blockOf(n, sums_.size(), b);
+      BlockSum<FaceSums>& sum = sums_[b];
+      sum.clear(grid_, std::span(particles.position).subspan(block.begin, block.end - block.begin));
+      forBatches(block, [&](ExchangeBatch& batch) {
+        loops.findSlip(sum.numbering(), batch);
+        evaluateDragLaw(law_, properties_, batch.size, batch.voidage, batch.slip, batch.drag);
+        loops.giveDrag(batch, sum);
       });
+    }
+    team_.barrier();
+    addToFaces(grid_.columnsOf(team_, member), exchange);
   });
 }
 
-void Exchange::giveDrag(Particles& particles, Range block, BlockSum<FaceSums>& sum) const {
-  sum.clear(grid_, std::span(particles.position).subspan(block.begin, block.end - block.begin));
-  ExchangeBatch batch;
-  for (batch.begin = block.begin; batch.begin < block.end; batch.begin += batch.size) {
-    batch.size = std::min(batchSize, block.end - batch.begin);
-    findSlip(grid_, atPoints_, voidage_.atPoints(), particles, sum.numbering(), batch);
-    evaluateDragLaw(law_, properties_, batch.size, batch.voidage, batch.slip, batch.drag);
-    bedmix::giveDrag(grid_, step_, batch, particles, sum);
-  }
+void Exchange::addToFaces(Range columns, MomentumExchange& exchange) const {
+  for (const BlockSum<FaceSums>& sum : sums_)
+    sum.forPoints(grid_, columns, [&](std::int32_t k, const FaceSums& s) {
+      exchange.coefficient[uprightFace_[k]] += s.uprightCoefficient;
+      exchange.source[uprightFace_[k]] += s.uprightSource;
+      exchange.coefficient[levelFace_[k]] += s.levelCoefficient;
+      exchange.source[levelFace_[k]] += s.levelSource;
+    });
 }
 
 void Exchange::applyForces(Particles& particles) {
   const std::size_t n = particles.size(), blocks = blocksOf(n);
+  const ExchangeKernel loops = kernel(particles);
   team_.run([&](int member) {
     const Range points = team_.share(grid_.points(), member);
     copyVelocity(points);
@@ -108,16 +135,9 @@ void Exchange::applyForces(Particles& particles) {
     findGradient(points);
     team_.barrier();
     const Range mine = team_.share(blocks, member);
-    for (std::size_t b = mine.begin; b < mine.end; ++b) takeForces(particles, blockOf(n, blocks, b));
+    for (std::size_t b = mine.begin; b < mine.end; ++b)
+      forBatches(blockOf(n, blocks, b), [&](ExchangeBatch& batch) { loops.takeForces(batch); });
   });
-}
-
-void Exchange::takeForces(Particles& particles, Range block) const {
-  ExchangeBatch batch;
-  for (batch.begin = block.begin; batch.begin < block.end; batch.begin += batch.size) {
-    batch.size = std::min(batchSize, block.end - batch.begin);
-    bedmix::takeForces(grid_, atPoints_, particles, batch);
-  }
 }
 
 }  // namespace bedmix

@@ -43,8 +43,8 @@ class Exchange {
   void copyVelocity(Range points);
   void copyPressure(Range points);
   void findGradient(Range points);
-  void giveDrag(Particles& particles, Range block, BlockSum<FaceSums>& sum) const;
-  void takeForces(Particles& particles, Range block) const;
+  ExchangeKernel kernel(Particles& particles) const;
+  void addToFaces(Range columns, MomentumExchange& exchange) const;
 
   const GasSolver& gas_;
   const VoidageField& voidage_;
@@ -54,9 +54,10 @@ class Exchange {
   DragProperties properties_;
   double step_;  // of the gas, s
   std::vector<BlockSum<FaceSums>> sums_;
-  GasAtPoints atPoints_;
-  std::vector<double> pressure_;
-  // Owners of the points, in the gas's numbering, and their slopes.
+  // Per point of the grid: gas velocity, m/s, and pressure, Pa, with its gradient, Pa/m.
+  std::vector<double> uprightVelocity_, levelVelocity_, pressure_;
+  std::vector<Vec2> gradient_;
+  // Per point: its owners in the gas's numbering and the cell's slopes.
   std::vector<std::int32_t> cell_, uprightFace_, levelFace_;
   std::vector<Slopes> slopes_;
 };

@@ -27,16 +27,27 @@ HWY_INLINE PairOf betweenRows(const double* lower, std::int32_t stride, double s
 }
 
 /// Gas velocity at the i-th of a batch.
-HWY_INLINE PairOf gasVelocity(const CouplingGrid& grid, const GasAtPoints& gas, const PointIndices& at,
-                              const BatchShares& shares, std::size_t i) {
+HWY_INLINE PairOf gasVelocity(const ExchangeKernel& k, std::int32_t stride, const ExchangeBatch& batch,
+                              std::size_t i) {
   const Pair d;
+  const BatchShares& shares = batch.shares;
   const PairOf upright =
-      betweenRows(&gas.uprightVelocity[pointIndex(at.uprightFace[i])], grid.stride, shares.y.centre[i]);
+      betweenRows(k.uprightVelocity + pointIndex(batch.inGrid.uprightFace[i]), stride, shares.upperCentre[i]);
   const PairOf level =
-      betweenRows(&gas.levelVelocity[pointIndex(at.levelFace[i])], grid.stride, shares.y.face[i]);
-  const PairOf shareOfRight =
-      hn::InterleaveLower(hn::Set(d, shares.x.face[i]), hn::Set(d, shares.x.centre[i]));
-  return between(hn::InterleaveLower(upright, level), hn::InterleaveUpper(d, upright, level), shareOfRight);
+      betweenRows(k.levelVelocity + pointIndex(batch.inGrid.levelFace[i]), stride, shares.upperFace[i]);
+  return between(hn::InterleaveLower(upright, level), hn::InterleaveUpper(d, upright, level),
+                 hn::Load(d, shares.right + 2 * i));
+}
+
+template <class D>
+HWY_INLINE void storeShares(D d, const CouplingGrid& grid, const AxisPlace<D>& x, const AxisPlace<D>& y,
+                            hn::Vec<D> coupled, std::size_t i, BatchShares& shares) {
+  hn::Store(volumeShare(d, grid, x), d, shares.rightVolume + i);
+  hn::Store(volumeShare(d, grid, y), d, shares.upperVolume + i);
+  storePairs(d, x.within, centreShare(d, x), shares.right + 2 * i);
+  hn::Store(y.within, d, shares.upperFace + i);
+  hn::Store(centreShare(d, y), d, shares.upperCentre + i);
+  hn::Store(coupled * hn::Set(d, grid.particleVolume), d, shares.coupledVolume + i);
 }
 
 /// Shares `given`, a coefficient and a source, out to four faces.
@@ -55,77 +66,80 @@ HWY_INLINE void deposit(PairOf given, PairOf right, PairOf upper, double* lowerF
 
 }  // namespace
 
-void findSlip(const CouplingGrid& grid, const GasAtPoints& gas, const std::vector<double>& voidage,
-              const Particles& particles, Numbering sum, ExchangeBatch& batch) {
-  BatchShares& shares = batch.shares;
-  PointIndices at;
-  alignas(64) double velocity[2 * batchSize], voidages[2 * batchSize];
-  locate(grid, &particles.position[batch.begin], batch.size, shares,
-         [&](auto d, std::size_t i, const auto& x, const auto& y) HWY_ATTR {
-           storeIndices(d, {grid.stride, 0}, x, y, i, at);
-           storeIndices(d, sum, x, y, i, batch.gave);
+void findSlip(const ExchangeKernel& kernel, Numbering sum, ExchangeBatch& batch) {
+  const ExchangeKernel k = kernel;  // its own, so that no store can change it
+  const Numbering points{k.grid->stride, 0};
+  locate(*k.grid, k.position + batch.begin, batch.size,
+         [&](auto d, std::size_t i, auto x, auto y, auto coupled) HWY_ATTR {
+           storeShares(d, *k.grid, x, y, coupled, i, batch.shares);
+           storeIndices(d, points, x, y, i, batch.inGrid);
+           storeIndices(d, sum, x, y, i, batch.inSum);
          });
+  alignas(64) double velocity[2 * batchSize], voidage[2 * batchSize];  // of two cells side by side
   for (std::size_t i = 0; i < batch.size; ++i) {
     const Pair d;
-    hn::Store(gasVelocity(grid, gas, at, shares, i), d, velocity + 2 * i);
-    hn::Store(betweenRows(&voidage[pointIndex(at.cell[i])], grid.stride, shares.y.volume[i]), d,
-              voidages + 2 * i);
+    hn::Store(gasVelocity(k, points.stride, batch, i), d, velocity + 2 * i);
+    const double* const cell = k.voidage + pointIndex(batch.inGrid.cell[i]);
+    hn::Store(betweenRows(cell, points.stride, batch.shares.upperVolume[i]), d, voidage + 2 * i);
   }
   forVectors(batch.size, [&](auto d, std::size_t i) HWY_ATTR {
-    const auto row = loadPairs(d, voidages + 2 * i);
-    hn::Store(row.x + hn::Load(d, shares.x.volume + i) * (row.y - row.x), d, batch.voidage + i);
-    const auto u = loadPairs(d, velocity + 2 * i), v = loadPlane(d, &particles.velocity[batch.begin + i]);
-    const auto x = u.x - v.x, y = u.y - v.y;
-    hn::Store(hn::Sqrt(x * x + y * y), d, batch.slip + i);
+    const auto sides = loadPairs(d, voidage + 2 * i);
+    hn::Store(sides.x + hn::Load(d, batch.shares.rightVolume + i) * (sides.y - sides.x), d,
+              batch.voidage + i);
+    const auto u = loadPairs(d, velocity + 2 * i), v = loadPlane(d, k.velocity + batch.begin + i);
+    const auto alongX = u.x - v.x, alongY = u.y - v.y;
+    hn::Store(hn::Sqrt(alongX * alongX + alongY * alongY), d, batch.slip + i);
   });
 }
 
-void giveDrag(const CouplingGrid& grid, double gasStep, const ExchangeBatch& batch, Particles& particles,
-              BlockSum<FaceSums>& sum) {
+void giveDrag(const ExchangeKernel& kernel, const ExchangeBatch& batch, BlockSum<FaceSums>& sum) {
+  const ExchangeKernel k = kernel;
   alignas(64) double upright[2 * batchSize], level[2 * batchSize];  // coefficient and source
-  const BatchShares& shares = batch.shares;
   forVectors(batch.size, [&](auto d, std::size_t i) HWY_ATTR {
     const std::size_t p = batch.begin + i;
-    const auto at = loadPlane(d, &particles.position[p]), v = loadPlane(d, &particles.velocity[p]);
-    const auto foreseen = loadPlane(d, &particles.foreseen[p]);
-    const auto step = hn::Set(d, gasStep);
-    const auto owed = hn::LoadU(d, &particles.drag[p]) * hn::Set(d, 1.0 / gasStep);
-    const auto volume = hn::Load(d, shares.coupled + i) * hn::Set(d, grid.particleVolume);
-    const auto drag = volume * hn::Load(d, batch.drag + i);
+    const auto at = loadPlane(d, k.position + p), v = loadPlane(d, k.velocity + p);
+    const auto foreseen = loadPlane(d, k.foreseen + p);
+    const auto step = hn::Set(d, k.gasStep);
+    const auto owed = hn::LoadU(d, k.drag + p) * hn::Set(d, 1.0 / k.gasStep);
+    const auto drag = hn::Load(d, batch.shares.coupledVolume + i) * hn::Load(d, batch.drag + i);
     storePairs(d, drag, drag * v.x + owed * (at.x - foreseen.x), upright + 2 * i);
     storePairs(d, drag, drag * v.y + owed * (at.y - foreseen.y), level + 2 * i);
-    hn::StoreU(drag, d, &particles.drag[p]);
-    storePairs(d, at.x + step * v.x, at.y + step * v.y, &particles.foreseen[p].x);
+    hn::StoreU(drag, d, k.drag + p);
+    storePairs(d, at.x + step * v.x, at.y + step * v.y, &k.foreseen[p].x);
   });
   const std::int32_t stride = sum.numbering().stride;
-  for (std::size_t i = 0; i < batch.size; ++i) {
+  FaceSums* const points = &sum[0];
+  forDistant(batch.size, [&](std::size_t i) HWY_ATTR {
     const Pair d;
-    deposit(hn::Load(d, upright + 2 * i), hn::Set(d, shares.x.face[i]), hn::Set(d, shares.y.centre[i]),
-            &sum[pointIndex(batch.gave.uprightFace[i])].uprightCoefficient, stride);
-    deposit(hn::Load(d, level + 2 * i), hn::Set(d, shares.x.centre[i]), hn::Set(d, shares.y.face[i]),
-            &sum[pointIndex(batch.gave.levelFace[i])].levelCoefficient, stride);
-  }
+    const BatchShares& shares = batch.shares;
+    deposit(hn::Load(d, upright + 2 * i), hn::Set(d, shares.right[2 * i]), hn::Set(d, shares.upperCentre[i]),
+            &points[pointIndex(batch.inSum.uprightFace[i])].uprightCoefficient, stride);
+    deposit(hn::Load(d, level + 2 * i), hn::Set(d, shares.right[2 * i + 1]), hn::Set(d, shares.upperFace[i]),
+            &points[pointIndex(batch.inSum.levelFace[i])].levelCoefficient, stride);
+  });
 }
 
-void takeForces(const CouplingGrid& grid, const GasAtPoints& gas, Particles& particles,
-                ExchangeBatch& batch) {
-  BatchShares& shares = batch.shares;
-  PointIndices at;
-  locate(grid, &particles.position[batch.begin], batch.size, shares,
-         [&](auto d, std::size_t i, const auto& x, const auto& y) HWY_ATTR {
-           storeIndices(d, {grid.stride, 0}, x, y, i, at);
+void takeForces(const ExchangeKernel& kernel, ExchangeBatch& batch) {
+  const ExchangeKernel k = kernel;
+  const Numbering points{k.grid->stride, 0};
+  locate(*k.grid, k.position + batch.begin, batch.size,
+         [&](auto d, std::size_t i, auto x, auto y, auto coupled) HWY_ATTR {
+           storeShares(d, *k.grid, x, y, coupled, i, batch.shares);
+           storeIndices(d, points, x, y, i, batch.inGrid);
          });
   for (std::size_t i = 0; i < batch.size; ++i) {
     const Pair d;
+    const PairOf right = hn::Set(d, batch.shares.rightVolume[i]),
+                 upper = hn::Set(d, batch.shares.upperVolume[i]);
     const auto row = [&](const Vec2* cell) HWY_ATTR {
-      return between(hn::LoadU(d, &cell[0].x), hn::LoadU(d, &cell[1].x), hn::Set(d, shares.x.volume[i]));
+      return between(hn::LoadU(d, &cell[0].x), hn::LoadU(d, &cell[1].x), right);
     };
-    const Vec2* const cell = &gas.pressureGradient[pointIndex(at.cell[i])];
-    const PairOf gradient = between(row(cell), row(cell + grid.stride), hn::Set(d, shares.y.volume[i]));
+    const Vec2* const cell = k.pressureGradient + pointIndex(batch.inGrid.cell[i]);
+    const PairOf gradient = between(row(cell), row(cell + points.stride), upper);
     const std::size_t p = batch.begin + i;
-    const PairOf force = hn::Set(d, particles.drag[p]) * gasVelocity(grid, gas, at, shares, i) -
-                         hn::Set(d, shares.coupled[i] * grid.particleVolume) * gradient;
-    hn::StoreU(force, d, &particles.external[p].x);
+    const PairOf force = hn::Set(d, k.drag[p]) * gasVelocity(k, points.stride, batch, i) -
+                         hn::Set(d, batch.shares.coupledVolume[i]) * gradient;
+    hn::StoreU(force, d, &k.external[p].x);
   }
 }
 
@@ -139,19 +153,14 @@ HWY_EXPORT(findSlip);
 HWY_EXPORT(giveDrag);
 HWY_EXPORT(takeForces);
 
-void findSlip(const CouplingGrid& grid, const GasAtPoints& gas, const std::vector<double>& voidage,
-              const Particles& particles, Numbering sum, ExchangeBatch& batch) {
-  HWY_DYNAMIC_DISPATCH(findSlip)(grid, gas, voidage, particles, sum, batch);
+void ExchangeKernel::findSlip(Numbering sum, ExchangeBatch& batch) const {
+  HWY_DYNAMIC_DISPATCH(findSlip)(*this, sum, batch);
 }
-
-void giveDrag(const CouplingGrid& grid, double gasStep, const ExchangeBatch& batch, Particles& particles,
-              BlockSum<FaceSums>& sum) {
-  HWY_DYNAMIC_DISPATCH(giveDrag)(grid, gasStep, batch, particles, sum);
+void ExchangeKernel::giveDrag(const ExchangeBatch& batch, BlockSum<FaceSums>& sum) const {
+  HWY_DYNAMIC_DISPATCH(giveDrag)(*this, batch, sum);
 }
-
-void takeForces(const CouplingGrid& grid, const GasAtPoints& gas, Particles& particles,
-                ExchangeBatch& batch) {
-  HWY_DYNAMIC_DISPATCH(takeForces)(grid, gas, particles, batch);
+void ExchangeKernel::takeForces(ExchangeBatch& batch) const {
+  HWY_DYNAMIC_DISPATCH(takeForces)(*this, batch);
 }
 
 }  // namespace bedmix

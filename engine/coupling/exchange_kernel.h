@@ -4,19 +4,11 @@
 #include "engine/coupling/batch.h"
 #include "engine/coupling/coupling_grid.h"
 #include "engine/coupling/point_box.h"
-#include "engine/dem/particles.h"
-
-#include <vector>
 
 namespace bedmix {
 
-/// The gas at the points of the grid.
-struct GasAtPoints {
-  std::vector<double> uprightVelocity, levelVelocity;  // m/s
-  std::vector<Vec2> pressureGradient;                  // Pa/m
-};
-
-/// What particles give to the faces at a point: drag on the gas = source - coefficient * its velocity.
+/// What a batch of particles gives to the faces at a point: drag on the gas = source - coefficient *
+/// velocity.
 struct FaceSums {
   double uprightCoefficient = 0.0, uprightSource = 0.0;  // kg/s, N
   double levelCoefficient = 0.0, levelSource = 0.0;
@@ -26,21 +18,31 @@ struct FaceSums {
 struct ExchangeBatch {
   std::size_t begin = 0, size = 0;
   BatchShares shares;
-  PointIndices gave;  // points of the sum they give to
+  PointIndices inGrid, inSum;
   alignas(64) double voidage[batchSize];
   alignas(64) double slip[batchSize];  // m/s
   alignas(64) double drag[batchSize];  // per volume of particles and slip, kg/(m3 s)
 };
 
-/// Shares, voidage and slip of the batch.
-void findSlip(const CouplingGrid& grid, const GasAtPoints& gas, const std::vector<double>& voidage,
-              const Particles& particles, Numbering sum, ExchangeBatch& batch);
+/// The loops over the particles of a batch, in vectors.
+struct ExchangeKernel {
+  const CouplingGrid* grid = nullptr;
+  double gasStep = 0.0;  // s
+  // Per point.
+  const double *uprightVelocity = nullptr, *levelVelocity = nullptr;  // of the gas, m/s
+  const double* voidage = nullptr;
+  const Vec2* pressureGradient = nullptr;  // Pa/m
+  // Per particle; see Particles.
+  const Vec2 *position = nullptr, *velocity = nullptr;
+  Vec2 *external = nullptr, *foreseen = nullptr;
+  double* drag = nullptr;
 
-/// Sets drag coefficients and foreseen places from the batch's drag and gives to the gas what is due.
-void giveDrag(const CouplingGrid& grid, double gasStep, const ExchangeBatch& batch, Particles& particles,
-              BlockSum<FaceSums>& sum);
-
-/// Sets the external forces of a batch whose drag coefficients are set.
-void takeForces(const CouplingGrid& grid, const GasAtPoints& gas, Particles& particles, ExchangeBatch& batch);
+  /// Shares, indices in the grid and in a sum, voidage and slip of the batch.
+  void findSlip(Numbering sum, ExchangeBatch& batch) const;
+  /// Sets drag coefficients from the batch's drag and foreseen places, and gives to the gas what is due.
+  void giveDrag(const ExchangeBatch& batch, BlockSum<FaceSums>& sum) const;
+  /// Sets the external forces of the batch, whose drag coefficients are set.
+  void takeForces(ExchangeBatch& batch) const;
+};
 
 }  // namespace bedmix

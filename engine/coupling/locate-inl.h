@@ -102,29 +102,37 @@ HWY_INLINE AxisPlace<D> findPlace(D d, const GridAxis& axis, V at) {
   return place;
 }
 
+/// The share of a particle's volume that is in the upper one of the two nearest cells.
 template <class D>
-HWY_INLINE void storeShares(D d, const CouplingGrid& grid, const AxisPlace<D>& place, std::size_t i,
-                            AxisShares& shares) {
-  const auto zero = hn::Zero(d), half = hn::Set(d, 0.5), one = hn::Set(d, 1.0);
+HWY_INLINE hn::Vec<D> volumeShare(D d, const CouplingGrid& grid, const AxisPlace<D>& place) {
   const auto beyondFace = (place.within - place.upper) * place.size;
-  const auto above = half + beyondFace * hn::Set(d, grid.perDiameter);
-  hn::Store(hn::Max(zero, hn::Min(above, one)), d, shares.volume + i);
-  hn::Store((place.within - half) * place.slope + (one - place.upper), d, shares.centre + i);
-  hn::Store(place.within, d, shares.face + i);
+  const auto share = hn::Set(d, 0.5) + beyondFace * hn::Set(d, grid.perDiameter);
+  return hn::Max(hn::Zero(d), hn::Min(share, hn::Set(d, 1.0)));
+}
+
+/// The weight of the upper one of the two nearest centres.
+template <class D>
+HWY_INLINE hn::Vec<D> centreShare(D d, const AxisPlace<D>& place) {
+  return (place.within - hn::Set(d, 0.5)) * place.slope + (hn::Set(d, 1.0) - place.upper);
 }
 
 /// Whole numbers up to 2^51 have their value in the last bits of a double when this is added.
 inline constexpr double wholeBits = 0x1.8p52;
 
+/// Bits of the number of the lower left one of the four nearest cells.
+template <class D>
+HWY_INLINE hn::Vec<D> cellIndex(D d, Numbering numbering, const AxisPlace<D>& x, const AxisPlace<D>& y) {
+  return (y.cell + y.upper) * hn::Set(d, numbering.stride) + (x.cell + x.upper) +
+         hn::Set(d, wholeBits - numbering.origin);
+}
+
 template <class D>
 HWY_INLINE void storeIndices(D d, Numbering numbering, const AxisPlace<D>& x, const AxisPlace<D>& y,
                              std::size_t i, PointIndices& indices) {
-  const auto stride = hn::Set(d, numbering.stride);
-  const auto cell =
-      (y.cell + y.upper) * stride + (x.cell + x.upper) + hn::Set(d, wholeBits - numbering.origin);
+  const auto cell = cellIndex(d, numbering, x, y);
   hn::Store(cell, d, indices.cell + i);
   hn::Store(cell - x.upper, d, indices.uprightFace + i);
-  hn::Store(cell - y.upper * stride, d, indices.levelFace + i);
+  hn::Store(cell - y.upper * hn::Set(d, numbering.stride), d, indices.levelFace + i);
 }
 
 /// How much of a particle at height y is coupled.
@@ -135,19 +143,14 @@ HWY_INLINE V coupledShare(D d, const CouplingGrid& grid, V y) {
   return s * s * (hn::Set(d, 3.0) - (s + s));
 }
 
-/// Calls body(d, i, place along x, along y) for vectors of `n` particles, at most a batch, once their shares
-/// are stored.
+/// Calls body(d, i, place along x, place along y, coupled share) for vectors of `n` particles.
 template <class Body>
-HWY_INLINE void locate(const CouplingGrid& grid, const Vec2* position, std::size_t n, BatchShares& shares,
-                       const Body& body) {
+HWY_INLINE void locate(const CouplingGrid& grid, const Vec2* position, std::size_t n, const Body& body) {
   forVectors(n, [&](auto d, std::size_t i) HWY_ATTR {
     const auto at = loadPlane(d, position + i);
     const auto x = findPlace(d, grid.x, inside(d, at.x, hn::Set(d, grid.x.length)));
     const auto y = findPlace(d, grid.y, inside(d, at.y, hn::Set(d, grid.y.length)));
-    storeShares(d, grid, x, i, shares.x);
-    storeShares(d, grid, y, i, shares.y);
-    hn::Store(coupledShare(d, grid, at.y), d, shares.coupled + i);
-    body(d, i, x, y);
+    body(d, i, x, y, coupledShare(d, grid, at.y));
   });
 }
 

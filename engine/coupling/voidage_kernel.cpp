@@ -12,29 +12,30 @@ namespace bedmix::HWY_NAMESPACE {
 
 void depositVolume(const CouplingGrid& grid, std::span<const Vec2> position, BlockSum<double>& sum) {
   const Numbering numbering = sum.numbering();
-  BatchShares shares;
-  PointIndices at;
+  alignas(64) double cell[batchSize];
   alignas(64) double lowerLeft[batchSize], lowerRight[batchSize], upperLeft[batchSize], upperRight[batchSize];
   for (std::size_t begin = 0; begin < position.size(); begin += batchSize) {
     const std::size_t n = std::min(batchSize, position.size() - begin);
-    locate(grid, &position[begin], n, shares,
-           [&](auto d, std::size_t i, const auto& x, const auto& y) HWY_ATTR {
-             storeIndices(d, numbering, x, y, i, at);
-             const auto all = hn::Load(d, shares.coupled + i), above = hn::Load(d, shares.y.volume + i);
-             const auto right = all * hn::Load(d, shares.x.volume + i), left = all - right;
-             hn::Store(left * above, d, upperLeft + i);
-             hn::Store(right * above, d, upperRight + i);
-             hn::Store(left - left * above, d, lowerLeft + i);
-             hn::Store(right - right * above, d, lowerRight + i);
-           });
-    for (std::size_t i = 0; i < n; ++i) {
-      double* const lower = &sum[pointIndex(at.cell[i])];
+    locate(grid, &position[begin], n, [&](auto d, std::size_t i, auto x, auto y, auto coupled) HWY_ATTR {
+      const auto right = coupled * volumeShare(d, grid, x), left = coupled - right;
+      const auto above = volumeShare(d, grid, y);
+      hn::Store(left * above, d, upperLeft + i);
+      hn::Store(right * above, d, upperRight + i);
+      hn::Store(left - left * above, d, lowerLeft + i);
+      hn::Store(right - right * above, d, lowerRight + i);
+      hn::Store(cellIndex(d, numbering, x, y), d, cell + i);
+    });
+    forDistant(n, [&](std::size_t i) HWY_ATTR {
+      const hn::CappedTag<double, 1> d;
+      const auto add = [d](double* to, const double* share)
+                           HWY_ATTR { hn::Store(hn::Load(d, to) + hn::Load(d, share), d, to); };
+      double* const lower = &sum[pointIndex(cell[i])];
       double* const upper = lower + numbering.stride;
-      lower[0] += lowerLeft[i];
-      lower[1] += lowerRight[i];
-      upper[0] += upperLeft[i];
-      upper[1] += upperRight[i];
-    }
+      add(lower, lowerLeft + i);
+      add(lower + 1, lowerRight + i);
+      add(upper, upperLeft + i);
+      add(upper + 1, upperRight + i);
+    });
   }
 }
 
