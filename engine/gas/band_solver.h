@@ -8,15 +8,16 @@
 
 namespace bedmix {
 
-/// Factorizes the pressure system (see PressureSolver), A = U^T D^-1 U with the upper triangle U stored row
-/// by row as a band: cells are numbered along the grid's short side first, whose length is the band's width.
-/// Blocked cells stay in as equations of their own. Costs cells x width^2.
+/// Factorizes the pressure system (see PressureSolver), A = L D L^T, as a band: cells are numbered along the
+/// grid's short side first, whose length is the band's width. Blocked cells stay in as equations of their own.
+/// Costs cells x width^2.
 class BandSolver {
  public:
   explicit BandSolver(const FaceLayout& layout);
 
-  /// False where the matrix is not positive definite or not finite.
-  [[nodiscard]] bool prepare(const std::vector<double>& coefficient);
+  /// Takes new conductances, one a face. False where the matrix is not positive definite or not finite.
+  [[nodiscard]] bool prepare(const std::vector<double>& conductance);
+  /// Solves for b, a frame; writes p.
   void solve(const std::vector<double>& b, std::vector<double>& p);
 
  private:
@@ -25,11 +26,13 @@ class BandSolver {
   }
 
   const FaceLayout& layout_;
-  std::size_t cells_, columnStep_, rowStep_, width_;
-  std::size_t rowLength_;         // in the band's memory
-  std::vector<double> band_;      // rows of U: diagonal first
-  std::vector<double> perPivot_;  // 1 / diagonal of U
+  std::size_t columnStep_, rowStep_, width_;
+  std::size_t blocks_;            // of four unknowns
+  std::size_t rowLength_;         // of the band's rows, which begin with the column their block begins with
+  std::vector<double> band_;      // rows of the upper triangle: of A, then of L^T
+  std::vector<double> perPivot_;  // 1 / D
   std::vector<double> x_;         // in the order of the unknowns
+  std::vector<double> scaled_;    // four rows
 };
 
 }  // namespace bedmix

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "engine/core/gas_grid.h"
+#include "engine/core/thread_team.h"
 
 #include <array>
 #include <cstddef>
@@ -70,6 +71,10 @@ struct FaceLayout {
   std::vector<double> open;      // volume of open cells, m3, else 0
 
   int at(int i, int j) const { return (j + 1) * stride + i; }
+  /// Of a frame, what lies in these rows.
+  Range places(Range mine) const {
+    return {(mine.begin + 1) * static_cast<std::size_t>(stride), (mine.end + 1) * static_cast<std::size_t>(stride)};
+  }
   int uFace(int i, int j) const { return at(i, j); }
   int vFace(int i, int j) const { return size + at(i, j); }
   int faces() const { return 2 * size; }

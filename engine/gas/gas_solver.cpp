@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "engine/gas/gas_solver.h"
 
-#include "engine/gas/sums.h"
+#include "engine/gas/frame_kernel.h"
 
 #include <algorithm>
 #include <cmath>
@@ -39,7 +39,7 @@ GasSolver::GasSolver(const Scene& scene, ThreadTeam& team)
   const std::size_t cells = grid_.cells();
   fields_ = {std::vector<double>(faces), std::vector<double>(cells), std::vector<double>(cells, 1.0)};
   exchange_ = {std::vector<double>(faces), std::vector<double>(faces)};
-  for (auto* field : {&coefficient_, &change_}) field->assign(faces, 0.0);
+  for (auto* field : {&conductance_, &change_}) field->assign(faces, 0.0);
   for (auto* field : {&growth_, &pressure_, &imbalance_, &correction_}) field->assign(places, 0.0);
   faceVoidage_.assign(faces, 1.0);
   voidage_.assign(places, 1.0);
@@ -112,15 +112,13 @@ void GasSolver::takeVoidage(Member& member, const std::vector<double>& voidage) 
 }
 
 void GasSolver::updateImbalance(Member& member) {
-  const Range rows = member.share(layout_.rows);
+  const Range mine = layout_.places(member.share(layout_.rows));
   const double *eps = faceVoidage_.data(), *u = fields_.velocity.data(), *area = layout_.faceArea.data();
   const double *open = layout_.open.data(), *growth = growth_.data();
   double* b = imbalance_.data();
-  const std::ptrdiff_t level = layout_.size, stride = layout_.stride;
-  const auto end = layout_.at(0, static_cast<int>(rows.end));
-  const auto flux = [=](std::ptrdiff_t f) { return eps[f] * u[f] * area[f]; };
-#pragma GCC ivdep
-  for (std::ptrdiff_t c = layout_.at(0, static_cast<int>(rows.begin)); c < end; ++c) {
+  const auto level = static_cast<std::size_t>(layout_.size), stride = static_cast<std::size_t>(layout_.stride);
+  const auto flux = [=](std::size_t f) { return eps[f] * u[f] * area[f]; };
+  for (std::size_t c = mine.begin; c < mine.end; ++c) {
     const double gain = flux(c) - flux(c + 1) + flux(level + c) - flux(level + c + stride) - growth[c];
     b[c] = open[c] > 0.0 ? gain : 0.0;
   }
@@ -128,11 +126,10 @@ void GasSolver::updateImbalance(Member& member) {
 
 double GasSolver::massResidual(Member& member) {
   updateImbalance(member);
-  const auto ofRow = [&](int row) {
-    const double* b = &imbalance_[layout_.at(0, row)];
-    return Residual{largestSize(b, layout_.columns), total(b, layout_.columns)};
-  };
-  const Residual all = reduction_(member, ofRow, [](Residual a, Residual b) {
+  const Range mine = layout_.places(member.share(layout_.rows));
+  // A sum tells of what is no number, which a maximum may not.
+  const Residual found{largestSize(imbalance_.data(), mine), total(imbalance_.data(), mine)};
+  const Residual all = reduction_.overShares(member, found, [](Residual a, Residual b) {
     return Residual{std::max(a.largest, b.largest), a.sum + b.sum};
   });
   if (!std::isfinite(all.sum)) return all.sum;
@@ -140,39 +137,18 @@ double GasSolver::massResidual(Member& member) {
 }
 
 bool GasSolver::preparePressure(Member& member) {
-  const double *pull = momentum_.pull().data(), *perDiagonal = momentum_.perDiagonal().data();
-  for (const FaceFamily& family : layout_.families) {
-    const Range rows = member.share(family.rows);
-    const int first = family.first + layout_.at(0, static_cast<int>(rows.begin));
-    const int last = family.first + layout_.at(0, static_cast<int>(rows.end));
-    for (int f = first; f < last; ++f) coefficient_[f] = pull[f] * pull[f] * perDiagonal[f];
-  }
+  momentum_.conductances(member, conductance_);
   member.wait();
-  return pressureSolver_.prepare(member, coefficient_);
+  return pressureSolver_.prepare(member, conductance_);
 }
 
 void GasSolver::correct(Member& member, double pressureShare, double left) {
   updateImbalance(member);
   member.wait();
   pressureSolver_.solve(member, imbalance_, correction_, {left, ofInflow * inflow_});
-  const double *pull = momentum_.pull().data(), *perDiagonal = momentum_.perDiagonal().data();
-  const double* p = correction_.data();
-  double *change = change_.data(), *u = fields_.velocity.data();
-  for (const FaceFamily& family : layout_.families) {
-    const Range rows = member.share(family.rows);
-    const int first = family.first, along = family.along;
-    const int begin = layout_.at(0, static_cast<int>(rows.begin)),
-              end = layout_.at(0, static_cast<int>(rows.end));
-#pragma GCC ivdep
-    for (int c = begin; c < end; ++c) {
-      change[first + c] = pull[first + c] * perDiagonal[first + c] * (p[c - along] - p[c]);
-      u[first + c] += change[first + c];
-    }
-  }
-  const Range rows = member.share(layout_.rows);
-  for (int c = layout_.at(0, static_cast<int>(rows.begin)); c < layout_.at(0, static_cast<int>(rows.end));
-       ++c)
-    pressure_[c] += pressureShare * p[c];
+  momentum_.correct(member, correction_, change_, fields_.velocity);
+  const Range mine = layout_.places(member.share(layout_.rows));
+  for (std::size_t c = mine.begin; c < mine.end; ++c) pressure_[c] += pressureShare * correction_[c];
   member.wait();
 }
 

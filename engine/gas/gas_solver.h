@@ -71,7 +71,7 @@ class GasSolver {
   double step_, tolerance_;
   std::int64_t maxIterations_;
   double inflow_ = 0.0;                                     // m3/s
-  std::vector<double> faceVoidage_, coefficient_, change_;  // per face
+  std::vector<double> faceVoidage_, conductance_, change_;  // per face
   std::vector<double> voidage_, growth_;                    // frames; growth of the voids in m3/s
   std::vector<double> pressure_, imbalance_, correction_;   // frames
   struct Residual {

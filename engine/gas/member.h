@@ -34,8 +34,7 @@ class Member {
   std::size_t turn_ = 0;
 };
 
-/// Brings together what members find in their rows, row by row from below, so that the result does not depend
-/// on how many they are.
+/// Brings together what members find in their rows, so that the result does not depend on how many they are.
 template <class Value>
 class RowReduction {
  public:
@@ -45,17 +44,30 @@ class RowReduction {
 
   /// All members get the same: join(...join(join(Value{}, of(0)), of(1))...). Waits for all once.
   template <class OfRow, class Join>
-  Value operator()(Member& member, OfRow&& of, Join&& join) {
+  Value overRows(Member& member, OfRow&& of, Join&& join) {
     std::vector<Value>& parts = parts_[member.nextTurn()];
     const Range mine = member.share(static_cast<int>(parts.size()));
     for (std::size_t row = mine.begin; row < mine.end; ++row) parts[row] = of(static_cast<int>(row));
+    return joined(member, parts, join);
+  }
+  /// For what comes out the same in any order, such as a maximum: what the member found in all of its rows.
+  template <class Join>
+  Value overShares(Member& member, const Value& found, Join&& join) {
+    std::vector<Value>& parts = parts_[member.nextTurn()];
+    const Range mine = member.share(static_cast<int>(parts.size()));
+    for (std::size_t row = mine.begin; row < mine.end; ++row) parts[row] = row == mine.begin ? found : Value{};
+    return joined(member, parts, join);
+  }
+
+ private:
+  template <class Join>
+  static Value joined(const Member& member, const std::vector<Value>& parts, Join&& join) {
     member.wait();
     Value all{};
     for (const Value& v : parts) all = join(all, v);
     return all;
   }
 
- private:
   std::array<std::vector<Value>, 2> parts_;
 };
 

@@ -8,20 +8,10 @@ namespace bedmix {
 
 namespace {
 
-// Of the largest velocity, change per sweep. A step changes velocities by a percent or more and is itself
-// exact to some 1e-4; the pressure correction closes continuity whatever is left.
+// Of the largest velocity, change per sweep. A step changes velocities by a percent or more and is itself exact
+// to some 1e-4; the pressure correction closes continuity whatever is left.
 constexpr double sweepTolerance = 1e-6;
 constexpr int mostSweeps = 200;
-constexpr double tiny = 1e-300;
-
-/// Diffusion that is left at a mass flux, after Patankar's power law: D max(0, 1 - |F| / (10 D))^5.
-inline double powerLaw(double diffusion, double flux) {
-  const double rest = diffusion - 0.1 * std::abs(flux);
-  const double left = 0.5 * (rest + std::abs(rest)) / (diffusion + tiny);
-  const double squared = left * left;
-  return diffusion * (squared * squared * left);
-}
-inline double positive(double x) { return 0.5 * (x + std::abs(x)); }
 
 }  // namespace
 
@@ -32,169 +22,106 @@ MomentumSystem::MomentumSystem(const Scene& scene, const FaceLayout& layout)
       step_(scene.gas->step),
       theta_(scene.gas->timeScheme == TimeScheme::crankNicolson ? 0.5 : 1.0),
       gravity_(scene.gravity),
+      spare_(static_cast<std::size_t>(layout.faces())),
+      zero_(spare_),
       reduction_(layout.rows + 1) {
-  for (auto* field : {&flux_, &inertia_, &oldPart_, &sides_.before, &sides_.behind, &sides_.below,
-                      &sides_.above, &rhs_, &perDiagonal_, &pull_, &spare_})
-    field->assign(static_cast<std::size_t>(layout.faces()), 0.0);
+  kernel_.area = layout.faceArea.data();
+  kernel_.volume = layout.volume.data();
+  kernel_.solved = layout.solved.data();
+  kernel_.wall = layout.wall.data();
+  kernel_.alongSide = layout.alongSide.data();
+  kernel_.acrossSide = layout.acrossSide.data();
+  double** const fields[] = {&kernel_.flux,  &kernel_.inertia, &kernel_.oldPart, &kernel_.before,
+                             &kernel_.behind, &kernel_.below,   &kernel_.above,   &kernel_.rhs,
+                             &kernel_.perDiagonal, &kernel_.pull};
+  for (std::size_t i = 0; i < fields_.size(); ++i) {
+    fields_[i].assign(spare_.size(), 0.0);
+    *fields[i] = fields_[i].data();
+  }
 }
 
-Range MomentumSystem::places(const Member& member, const FaceFamily& family) const {
-  const Range rows = member.share(family.rows);
-  const auto first = static_cast<std::size_t>(family.first),
-             stride = static_cast<std::size_t>(layout_.stride);
-  return {first + (rows.begin + 1) * stride, first + (rows.end + 1) * stride};
+Range MomentumSystem::faces(const Member& member, const FaceFamily& family) const {
+  const Range frame = layout_.places(member.share(family.rows));
+  const auto first = static_cast<std::size_t>(family.first);
+  return {first + frame.begin, first + frame.end};
 }
 
 void MomentumSystem::updateSides(Member& member, const std::vector<double>& velocity,
                                  const std::vector<double>& voidage, double share) {
-  const double *u = velocity.data(), *eps = voidage.data(), *area = layout_.faceArea.data();
-  const double* solved = layout_.solved.data();
-  const double *alongSide = layout_.alongSide.data(), *acrossSide = layout_.acrossSide.data();
-  double* flux = flux_.data();
-  for (const FaceFamily& family : layout_.families) {
-    const Range mine = places(member, family);
-#pragma GCC ivdep
-    for (std::size_t f = mine.begin; f < mine.end; ++f) flux[f] = density_ * eps[f] * u[f] * area[f];
-  }
+  for (const FaceFamily& family : layout_.families)
+    kernel_.updateFlux(density_, velocity.data(), voidage.data(), faces(member, family));
   member.wait();
-  double *before = sides_.before.data(), *behind = sides_.behind.data();
-  double *below = sides_.below.data(), *above = sides_.above.data();
-  const double diffusivity = 0.5 * viscosity_;
-  for (int k = 0; k < 2; ++k) {
-    const FaceFamily& family = layout_.families[k];
-    const std::ptrdiff_t along = family.along, across = family.across;
-    const std::ptrdiff_t other = layout_.families[1 - k].first - family.first;
-    const Range mine = places(member, family);
-#pragma GCC ivdep
-    for (auto f = static_cast<std::ptrdiff_t>(mine.begin); f < static_cast<std::ptrdiff_t>(mine.end); ++f) {
-      const double through = 0.5 * (flux[f - along] + flux[f]);
-      const double rest = powerLaw(diffusivity * (eps[f - along] + eps[f]) * alongSide[f], through);
-      before[f] = share * solved[f] * (rest + positive(through));
-      behind[f - along] = share * solved[f - along] * (rest + positive(-through));
-      const double sideways = 0.5 * (flux[f + other - along] + flux[f + other]);
-      const double left = powerLaw(diffusivity * (eps[f - across] + eps[f]) * acrossSide[f], sideways);
-      below[f] = share * solved[f] * (left + positive(sideways));
-      above[f - across] = share * solved[f - across] * (left + positive(-sideways));
-    }
-  }
+  const auto& [upright, level] = layout_.families;
+  const std::ptrdiff_t other = level.first - upright.first;
+  kernel_.updateSides(upright, other, viscosity_, share, voidage.data(), faces(member, upright));
+  kernel_.updateSides(level, -other, viscosity_, share, voidage.data(), faces(member, level));
   member.wait();
 }
 
 void MomentumSystem::beginStep(Member& member, const std::vector<double>& velocity,
                                const std::vector<double>& voidage) {
   const double share = 1.0 - theta_;
-  if (share > 0.0) updateSides(member, velocity, voidage, share);
-  const double *u = velocity.data(), *eps = voidage.data(), *volume = layout_.volume.data();
-  const double* wall = layout_.wall.data();
-  const double *before = sides_.before.data(), *behind = sides_.behind.data();
-  const double *below = sides_.below.data(), *above = sides_.above.data();
-  double *inertia = inertia_.data(), *oldPart = oldPart_.data();
-  const double perStep = density_ / step_, friction = share * viscosity_;
-  for (const FaceFamily& family : layout_.families) {
-    const std::ptrdiff_t along = family.along, across = family.across;
-    const Range mine = places(member, family);
-    if (share == 0.0) {
-      for (std::size_t f = mine.begin; f < mine.end; ++f) {
-        inertia[f] = perStep * eps[f] * volume[f];
-        oldPart[f] = inertia[f] * u[f];
-      }
-      continue;
-    }
-#pragma GCC ivdep
-    for (auto f = static_cast<std::ptrdiff_t>(mine.begin); f < static_cast<std::ptrdiff_t>(mine.end); ++f) {
-      inertia[f] = perStep * eps[f] * volume[f];
-      oldPart[f] = inertia[f] * u[f] + before[f] * (u[f - along] - u[f]) + behind[f] * (u[f + along] - u[f]) +
-                   below[f] * (u[f - across] - u[f]) + above[f] * (u[f + across] - u[f]) -
-                   friction * eps[f] * wall[f] * u[f];
-    }
-  }
+  updateSides(member, velocity, voidage, share);
+  for (const FaceFamily& family : layout_.families)
+    kernel_.setOldLevel(family, density_ / step_, share * viscosity_, velocity.data(), voidage.data(),
+                        faces(member, family));
 }
 
 void MomentumSystem::assemble(Member& member, const std::vector<double>& velocity,
                               const std::vector<double>& voidage, const std::vector<double>& pressure,
                               const MomentumExchange& exchange) {
   updateSides(member, velocity, voidage, theta_);
-  const double *eps = voidage.data(), *p = pressure.data();
-  const double *area = layout_.faceArea.data(), *volume = layout_.volume.data();
-  const double *solved = layout_.solved.data(), *wall = layout_.wall.data();
-  const double *before = sides_.before.data(), *behind = sides_.behind.data();
-  const double *below = sides_.below.data(), *above = sides_.above.data();
-  const double *inertia = inertia_.data(), *oldPart = oldPart_.data();
-  const double *coefficient = exchange.coefficient.data(), *source = exchange.source.data();
-  double *rhs = rhs_.data(), *perDiagonal = perDiagonal_.data(), *pull = pull_.data();
-  const double friction = theta_ * viscosity_;
-  for (int k = 0; k < 2; ++k) {
-    const FaceFamily& family = layout_.families[k];
-    const double weight = k == 1 ? density_ * gravity_ : 0.0;
-    const std::ptrdiff_t along = family.along, first = family.first;
-    const Range mine = places(member, family);
-#pragma GCC ivdep
-    for (auto f = static_cast<std::ptrdiff_t>(mine.begin); f < static_cast<std::ptrdiff_t>(mine.end); ++f) {
-      const double sides = (before[f] + behind[f]) + (below[f] + above[f]) + friction * eps[f] * wall[f];
-      pull[f] = eps[f] * area[f] * solved[f];
-      perDiagonal[f] = solved[f] / (inertia[f] + sides + coefficient[f]);
-      rhs[f] = oldPart[f] + source[f] - weight * eps[f] * volume[f] +
-               pull[f] * (p[f - first - along] - p[f - first]);
-    }
-  }
+  const auto& [upright, level] = layout_.families;
+  for (const FaceFamily& family : layout_.families)
+    kernel_.assemble(family, theta_ * viscosity_, &family == &level ? density_ * gravity_ : 0.0, voidage.data(),
+                     pressure.data(), exchange.coefficient.data(), exchange.source.data(),
+                     faces(member, family));
   // What enters at the floor is given.
-  const Range level = places(member, layout_.families[1]);
+  const Range mine = faces(member, level);
   for (const FloorFace& floor : layout_.floor) {
     const auto f = static_cast<std::size_t>(floor.face);
-    if (f < level.begin || f >= level.end) continue;
-    perDiagonal[f] = 1.0;
-    rhs[f] = velocity[f];
+    if (f < mine.begin || f >= mine.end) continue;
+    kernel_.perDiagonal[f] = 1.0;
+    kernel_.rhs[f] = velocity[f];
   }
 }
 
 void MomentumSystem::relax(Member& member, const std::vector<double>& velocity, double factor) {
   for (const FaceFamily& family : layout_.families) {
-    const Range mine = places(member, family);
+    const Range mine = faces(member, family);
     for (std::size_t f = mine.begin; f < mine.end; ++f) {
       if (layout_.solved[f] == 0.0) continue;
-      rhs_[f] += (1.0 / factor - 1.0) / perDiagonal_[f] * velocity[f];
-      perDiagonal_[f] *= factor;
+      kernel_.rhs[f] += (1.0 / factor - 1.0) / kernel_.perDiagonal[f] * velocity[f];
+      kernel_.perDiagonal[f] *= factor;
     }
   }
 }
 
 double MomentumSystem::residual(Member& member, const std::vector<double>& velocity) {
+  const MomentumKernel& k = kernel_;
   const auto ofRow = [&](int row) {
-    Change sum;  // here: residual, scale
+    Pair sum;  // residual, scale
     for (const FaceFamily& family : layout_.families) {
       if (row >= family.rows) continue;
       const int first = family.first + layout_.at(0, row);
       for (int f = first; f < first + layout_.columns; ++f) {
         if (layout_.solved[f] == 0.0) continue;
-        const double own = velocity[f] / perDiagonal_[f];
-        sum.ofSweep += std::abs(rhs_[f] + sides_.before[f] * velocity[f - family.along] +
-                                sides_.behind[f] * velocity[f + family.along] +
-                                sides_.below[f] * velocity[f - family.across] +
-                                sides_.above[f] * velocity[f + family.across] - own);
-        sum.largest += std::abs(own);
+        const double own = velocity[f] / k.perDiagonal[f];
+        sum.a += std::abs(k.rhs[f] + k.before[f] * velocity[f - family.along] +
+                          k.behind[f] * velocity[f + family.along] + k.below[f] * velocity[f - family.across] +
+                          k.above[f] * velocity[f + family.across] - own);
+        sum.b += std::abs(own);
       }
     }
     return sum;
   };
-  const Change all = reduction_(member, ofRow, [](Change a, Change b) {
-    return Change{a.ofSweep + b.ofSweep, a.largest + b.largest};
-  });
-  return all.largest > 0.0 ? all.ofSweep / all.largest : all.ofSweep;
+  const Pair all = reduction_.overRows(member, ofRow, [](Pair x, Pair y) { return Pair{x.a + y.a, x.b + y.b}; });
+  return all.b > 0.0 ? all.a / all.b : all.a;
 }
 
 void MomentumSystem::sweep(Member& member, const std::vector<double>& from, std::vector<double>& to) const {
-  const double *u = from.data(), *rhs = rhs_.data(), *perDiagonal = perDiagonal_.data();
-  const double *before = sides_.before.data(), *behind = sides_.behind.data();
-  const double *below = sides_.below.data(), *above = sides_.above.data();
-  double* updated = to.data();
-  for (const FaceFamily& family : layout_.families) {
-    const std::ptrdiff_t along = family.along, across = family.across;
-    const Range mine = places(member, family);
-#pragma GCC ivdep
-    for (auto f = static_cast<std::ptrdiff_t>(mine.begin); f < static_cast<std::ptrdiff_t>(mine.end); ++f)
-      updated[f] = perDiagonal[f] * (rhs[f] + before[f] * u[f - along] + behind[f] * u[f + along] +
-                                     below[f] * u[f - across] + above[f] * u[f + across]);
-  }
+  for (const FaceFamily& family : layout_.families)
+    kernel_.sweep(family, from.data(), to.data(), faces(member, family));
   member.wait();
 }
 
@@ -202,38 +129,36 @@ void MomentumSystem::solve(Member& member, std::vector<double>& velocity) {
   for (int sweeps = 0; sweeps < mostSweeps; sweeps += 2) {
     sweep(member, velocity, spare_);
     sweep(member, spare_, velocity);
-    const auto ofRow = [&](int row) {
-      Change change;
-      for (const FaceFamily& family : layout_.families) {
-        const int first = family.first + layout_.at(0, row);
-        for (int f = first; f < first + layout_.stride; ++f) {
-          change.ofSweep = std::max(change.ofSweep, std::abs(velocity[f] - spare_[f]));
-          change.largest = std::max(change.largest, std::abs(velocity[f]));
-        }
-      }
-      return change;
-    };
-    const Change all = reduction_(member, ofRow, [](Change a, Change b) {
-      return Change{std::max(a.ofSweep, b.ofSweep), std::max(a.largest, b.largest)};
-    });
-    if (all.ofSweep <= sweepTolerance * all.largest) return;
+    Pair mine;  // change, size
+    for (const FaceFamily& family : layout_.families) {
+      const Range f = faces(member, family);
+      mine.a = std::max(mine.a, MomentumKernel::largestDifference(velocity.data(), spare_.data(), f));
+      mine.b = std::max(mine.b, MomentumKernel::largestDifference(velocity.data(), zero_.data(), f));
+    }
+    const auto larger = [](Pair x, Pair y) { return Pair{std::max(x.a, y.a), std::max(x.b, y.b)}; };
+    const Pair all = reduction_.overShares(member, mine, larger);
+    if (all.a <= sweepTolerance * all.b) return;
   }
+}
+
+void MomentumSystem::conductances(Member& member, std::vector<double>& conductance) const {
+  for (const FaceFamily& family : layout_.families) {
+    const Range mine = faces(member, family);
+    for (std::size_t f = mine.begin; f < mine.end; ++f)
+      conductance[f] = kernel_.pull[f] * kernel_.pull[f] * kernel_.perDiagonal[f];
+  }
+}
+
+void MomentumSystem::correct(Member& member, const std::vector<double>& pressure, std::vector<double>& change,
+                             std::vector<double>& velocity) const {
+  for (const FaceFamily& family : layout_.families)
+    kernel_.correct(family, pressure.data(), change.data(), velocity.data(), faces(member, family));
 }
 
 void MomentumSystem::addNeighbourEffect(Member& member, const std::vector<double>& change,
                                         std::vector<double>& velocity) const {
-  const double *v = change.data(), *perDiagonal = perDiagonal_.data();
-  const double *before = sides_.before.data(), *behind = sides_.behind.data();
-  const double *below = sides_.below.data(), *above = sides_.above.data();
-  double* u = velocity.data();
-  for (const FaceFamily& family : layout_.families) {
-    const std::ptrdiff_t along = family.along, across = family.across;
-    const Range mine = places(member, family);
-#pragma GCC ivdep
-    for (auto f = static_cast<std::ptrdiff_t>(mine.begin); f < static_cast<std::ptrdiff_t>(mine.end); ++f)
-      u[f] += perDiagonal[f] * (before[f] * v[f - along] + behind[f] * v[f + along] +
-                                below[f] * v[f - across] + above[f] * v[f + across]);
-  }
+  for (const FaceFamily& family : layout_.families)
+    kernel_.addNeighbourEffect(family, change.data(), velocity.data(), faces(member, family));
 }
 
 }  // namespace bedmix

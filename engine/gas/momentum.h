@@ -5,7 +5,9 @@
 #include "engine/gas/face_layout.h"
 #include "engine/gas/gas_fields.h"
 #include "engine/gas/member.h"
+#include "engine/gas/momentum_kernel.h"
 
+#include <array>
 #include <vector>
 
 namespace bedmix {
@@ -15,8 +17,8 @@ namespace bedmix {
 ///   rho eps V (u - u_old)/dt + sum over sides a (u - u_side) = -eps A dp - K u + S + rho eps V g
 /// with power-law convection (Patankar 1980), central diffusion of eps mu grad u, drag implicit. Convection
 /// and diffusion are weighted between the time levels by theta (1/2 Crank-Nicolson, 1 implicit Euler).
-/// All fields are per face but for the pressure, a frame. All members call its functions together, and wait
-/// before what they hand in changes or what they get is read.
+/// All fields are per face but for pressures, which are frames. All members call its functions together; what
+/// is handed in must be ready, what they change is their own rows and not waited for.
 class MomentumSystem {
  public:
   MomentumSystem(const Scene& scene, const FaceLayout& layout);
@@ -34,36 +36,33 @@ class MomentumSystem {
   /// Solves for the velocities by Jacobi sweeps. The diagonal dominates as long as the gas Courant number is
   /// moderate; each sweep then gains a digit and more.
   void solve(Member& member, std::vector<double>& velocity);
-  /// Adds to the velocity sum of a_side * change of the neighbours over the diagonal: what a velocity
-  /// correction changes through its neighbours (PISO's second corrector).
+
+  /// Conductances of the faces for the pressure's equations: volume flux per pressure difference, m3/(s Pa), 0
+  /// where nothing is solved.
+  void conductances(Member& member, std::vector<double>& conductance) const;
+  /// Adds what a change of pressure does to the velocity by itself; writes that change.
+  void correct(Member& member, const std::vector<double>& pressure, std::vector<double>& change,
+               std::vector<double>& velocity) const;
+  /// Adds sum of a_side * change of the neighbours over the diagonal: what a velocity correction changes
+  /// through its neighbours (PISO's second corrector).
   void addNeighbourEffect(Member& member, const std::vector<double>& change,
                           std::vector<double>& velocity) const;
 
-  /// Force per pressure difference, m2, and velocity per force, s/kg; their product is the velocity's change
-  /// per pressure difference. Both 0 where nothing is solved, but for the floor's second.
-  const std::vector<double>& pull() const { return pull_; }
-  const std::vector<double>& perDiagonal() const { return perDiagonal_; }
-
  private:
-  struct Sides {
-    std::vector<double> before, behind, below, above;  // along, along, across, across the velocity
-  };
-  Range places(const Member& member, const FaceFamily& family) const;
+  Range faces(const Member& member, const FaceFamily& family) const;
   void updateSides(Member& member, const std::vector<double>& velocity, const std::vector<double>& voidage,
                    double share);
   void sweep(Member& member, const std::vector<double>& from, std::vector<double>& to) const;
 
   const FaceLayout& layout_;
   double density_, viscosity_, step_, theta_, gravity_;
-  std::vector<double> flux_;     // mass flux per face, kg/s
-  std::vector<double> inertia_;  // rho eps V / dt of the old level, kg/s
-  std::vector<double> oldPart_;  // what the old level contributes, N
-  Sides sides_;                  // coefficients of the neighbours, kg/s
-  std::vector<double> rhs_, perDiagonal_, pull_, spare_;
-  struct Change {
-    double ofSweep = 0.0, largest = 0.0;
+  std::vector<double> spare_, zero_;                // velocities
+  std::array<std::vector<double>, 10> fields_;      // the kernel's
+  MomentumKernel kernel_;
+  struct Pair {
+    double a = 0.0, b = 0.0;
   };
-  RowReduction<Change> reduction_;
+  RowReduction<Pair> reduction_;
 };
 
 }  // namespace bedmix

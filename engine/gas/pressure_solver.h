@@ -19,9 +19,9 @@ class PressureSolver {
  public:
   explicit PressureSolver(const FaceLayout& layout);
 
-  /// Takes new coefficients, one a face, m3/(s Pa), 0 where nothing is solved. False if one is not finite or
+  /// Takes new conductances, one a face, m3/(s Pa), 0 where nothing is solved. False if one is not finite or
   /// the matrix is not positive definite.
-  [[nodiscard]] bool prepare(Member& member, const std::vector<double>& coefficient);
+  [[nodiscard]] bool prepare(Member& member, const std::vector<double>& conductance);
   /// When iterations end: no cell's residual is larger than this share of the largest b, or than `absolute`.
   struct Tolerance {
     double relative, absolute;
@@ -36,15 +36,14 @@ class PressureSolver {
     std::vector<double> residual, direction, image;
     explicit Iteration(const FaceLayout& layout);
   };
-  Range places(const Member& member) const;
   int iterate(Member& member, const std::vector<double>& b, std::vector<double>& p, Tolerance tolerance);
-  template <class OfPlaces>
-  double sum(Member& member, OfPlaces&& of);
-  template <class OfPlaces>
-  double largest(Member& member, OfPlaces&& of);
+  /// Over all rows, of what `ofRow` makes of a row's places.
+  template <class OfRow>
+  double sum(Member& member, OfRow&& ofRow);
+  double largest(Member& member, double mine);
 
   const FaceLayout& layout_;
-  const std::vector<double>* coefficient_ = nullptr;
+  const std::vector<double>* conductance_ = nullptr;
   std::optional<BandSolver> band_;      // one of
   std::optional<Iteration> iteration_;  // these two
   bool sound_ = true;                   // what the first member found out
