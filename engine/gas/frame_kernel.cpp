@@ -57,18 +57,12 @@ double largestSize(const double* a, Range places) {
   return all;
 }
 
-/// (A x)[c]: what flows out to the four neighbours.
-template <class Real>
-HWY_INLINE Real outflow(const Real* west, const Real* south, std::ptrdiff_t stride, const Real* x,
-                        std::ptrdiff_t c) {
-  return (west[c] * (x[c] - x[c - 1]) + west[c + 1] * (x[c] - x[c + 1])) +
-         (south[c] * (x[c] - x[c - stride]) + south[c + stride] * (x[c] - x[c + stride]));
-}
-
-double apply(const FrameOperator<double>& a, const double* x, double* image, Range places) {
+double apply(const FrameOperator& a, const double* x, double* image, Range places) {
   const double *west = a.west, *south = a.south;
-  const std::ptrdiff_t stride = a.stride;
-  BEDMIX_PLACES(c) image[c] = outflow(west, south, stride, x, c);
+  const std::ptrdiff_t n = a.stride;
+  BEDMIX_PLACES(c)
+  image[c] = (west[c] * (x[c] - x[c - 1]) + west[c + 1] * (x[c] - x[c + 1])) +
+             (south[c] * (x[c] - x[c - n]) + south[c + n] * (x[c] - x[c + n]));
   return sum(places, [=](std::size_t c) HWY_ATTR { return x[c] * image[c]; });
 }
 
@@ -86,33 +80,6 @@ void turn(double share, const float* z, double* direction, Range places) {
   BEDMIX_PLACES(c) direction[c] = static_cast<double>(z[c]) + share * direction[c];
 }
 
-void relax(const FrameOperator<float>& a, const float* perDiagonal, const float* b, float damping,
-           const float* from, float* to, Range places) {
-  const float *west = a.west, *south = a.south;
-  const std::ptrdiff_t stride = a.stride;
-  BEDMIX_PLACES(c)
-  to[c] = from[c] + damping * perDiagonal[c] * (b[c] - outflow(west, south, stride, from, c));
-}
-
-void relaxTwice(const FrameOperator<float>& a, const float* perDiagonal, const float* b, float first,
-                float second, float* to, Range places) {
-  const float *west = a.west, *south = a.south;
-  const std::ptrdiff_t n = a.stride;
-  BEDMIX_PLACES(c) {
-    const float own = perDiagonal[c] * b[c];
-    const float flow =
-        (west[c] * (own - perDiagonal[c - 1] * b[c - 1]) + west[c + 1] * (own - perDiagonal[c + 1] * b[c + 1])) +
-        (south[c] * (own - perDiagonal[c - n] * b[c - n]) + south[c + n] * (own - perDiagonal[c + n] * b[c + n]));
-    to[c] = first * own + second * perDiagonal[c] * (b[c] - first * flow);
-  }
-}
-
-void findResidual(const FrameOperator<float>& a, const float* b, const float* x, float* r, Range places) {
-  const float *west = a.west, *south = a.south;
-  const std::ptrdiff_t stride = a.stride;
-  BEDMIX_PLACES(c) r[c] = b[c] - outflow(west, south, stride, x, c);
-}
-
 }  // namespace
 
 }  // namespace bedmix::HWY_NAMESPACE
@@ -124,14 +91,11 @@ namespace bedmix {
 HWY_EXPORT(apply);
 HWY_EXPORT(advance);
 HWY_EXPORT(turn);
-HWY_EXPORT(relax);
-HWY_EXPORT(relaxTwice);
-HWY_EXPORT(findResidual);
 HWY_EXPORT(product);
 HWY_EXPORT(total);
 HWY_EXPORT(largestSize);
 
-double apply(const FrameOperator<double>& a, const double* x, double* image, Range places) {
+double apply(const FrameOperator& a, const double* x, double* image, Range places) {
   return HWY_DYNAMIC_DISPATCH(apply)(a, x, image, places);
 }
 double advance(double length, const double* direction, const double* image, double* x, double* r,
@@ -140,17 +104,6 @@ double advance(double length, const double* direction, const double* image, doub
 }
 void turn(double share, const float* z, double* direction, Range places) {
   HWY_DYNAMIC_DISPATCH(turn)(share, z, direction, places);
-}
-void relax(const FrameOperator<float>& a, const float* perDiagonal, const float* b, float damping,
-           const float* from, float* to, Range places) {
-  HWY_DYNAMIC_DISPATCH(relax)(a, perDiagonal, b, damping, from, to, places);
-}
-void relaxTwice(const FrameOperator<float>& a, const float* perDiagonal, const float* b, float first,
-                float second, float* to, Range places) {
-  HWY_DYNAMIC_DISPATCH(relaxTwice)(a, perDiagonal, b, first, second, to, places);
-}
-void findResidual(const FrameOperator<float>& a, const float* b, const float* x, float* r, Range places) {
-  HWY_DYNAMIC_DISPATCH(findResidual)(a, b, x, r, places);
 }
 double product(const double* a, const float* b, Range places) {
   return HWY_DYNAMIC_DISPATCH(product)(a, b, places);

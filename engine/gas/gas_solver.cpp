@@ -27,7 +27,7 @@ GasSolver::GasSolver(const Scene& scene, ThreadTeam& team)
     : grid_(makeGasGrid(scene)),
       layout_(makeFaceLayout(grid_)),
       momentum_(scene, layout_),
-      pressureSolver_(layout_),
+      pressureSolver_(layout_, team.size()),
       team_(grid_.columns * grid_.rows < worthSharing || team.size() == 1 ? nullptr : &team),
       scheme_(scene.gas->scheme),
       step_(scene.gas->step),

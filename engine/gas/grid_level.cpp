@@ -50,9 +50,9 @@ LevelAxis LevelAxis::coarser(bool join) const {
 
 GridLevel::GridLevel(LevelAxis a, LevelAxis u)
     : across(std::move(a)), up(std::move(u)), columns(across.cells()), rows(up.cells()), stride(columns + 1) {
-  // As in FaceLayout; one more, since restrictFrom() looks two places ahead.
-  const auto size = static_cast<std::size_t>(stride) * static_cast<std::size_t>(rows + 3) + 1;
-  for (auto* field : {&west, &south, &perDiagonal, &x, &other, &b, &toWest, &toEast, &toSouth, &toNorth})
+  // As in FaceLayout.
+  const auto size = static_cast<std::size_t>(stride) * static_cast<std::size_t>(rows + 3);
+  for (auto* field : {&west, &south, &perDiagonal, &b, &smoothed, &x, &toWest, &toEast, &toSouth, &toNorth})
     field->assign(size, 0.0f);
 }
 
@@ -64,14 +64,13 @@ GridLevel GridLevel::coarser() const {
   return {across.coarser(joinColumns), up.coarser(joinRows)};
 }
 
-Range GridLevel::places(Range mine) const {
-  return {static_cast<std::size_t>(at(0, static_cast<int>(mine.begin))),
-          static_cast<std::size_t>(at(0, static_cast<int>(mine.end)))};
+Range GridLevel::rowsOf(const GridLevel& coarse, Range mine) const {
+  const std::size_t perRow = coarse.up.joined ? 2 : 1;
+  return {perRow * mine.begin, std::min(perRow * mine.end, static_cast<std::size_t>(rows))};
 }
 
 void GridLevel::updateDiagonal(Range mine) {
-  const Range all = places(mine);
-  for (std::size_t c = all.begin; c < all.end; ++c) {
+  for (int c = at(0, static_cast<int>(mine.begin)); c < at(0, static_cast<int>(mine.end)); ++c) {
     const float diagonal = west[c] + west[c + 1] + south[c] + south[c + stride];
     perDiagonal[c] = diagonal > 0.0f ? 1.0f / diagonal : 0.0f;
   }
@@ -100,64 +99,6 @@ void GridLevel::updateShares() {
       if (west[c + 1] > 0.0f) toEast[c] = across.forth[column + 1];
       if (south[c] > 0.0f) toSouth[c] = up.back[row];
       if (south[c + stride] > 0.0f) toNorth[c] = up.forth[row + 1];
-    }
-}
-
-void GridLevel::restrictFrom(const GridLevel& fine, Range mine) {
-  for (int row = static_cast<int>(mine.begin); row < static_cast<int>(mine.end); ++row) {
-    // The fine rows of this coarse one and those beside them. What is not there are rows of zeros.
-    const float* zero = &fine.other[fine.at(0, fine.rows + 1)];
-    const float *lower = zero, *upper = zero, *below = zero, *above = zero;
-    if (up.joined) {
-      lower = &fine.other[fine.at(0, 2 * row)];
-      upper = lower + fine.stride;
-      below = lower - fine.stride;
-      above = upper + fine.stride;
-    } else {
-      lower = &fine.other[fine.at(0, row)];
-    }
-    const int first = at(0, row), n = stride;
-    const float *w = &toWest[first], *e = &toEast[first], *s = &toSouth[first], *t = &toNorth[first];
-    float* to = &b[first];
-    if (!across.joined) {
-      for (int i = 0; i < columns; ++i)
-        to[i] = lower[i] + upper[i] + (t[i - n] * below[i] - s[i] * lower[i]) +
-                (s[i + n] * above[i] - t[i] * upper[i]);
-      continue;
-    }
-    for (int i = 0; i < columns; ++i) {
-      const int f = 2 * i;
-      const float left = lower[f] + upper[f], right = lower[f + 1] + upper[f + 1];
-      to[i] = left + right + (e[i - 1] * (lower[f - 1] + upper[f - 1]) - w[i] * left) +
-              (w[i + 1] * (lower[f + 2] + upper[f + 2]) - e[i] * right) +
-              (t[i - n] * (below[f] + below[f + 1]) - s[i] * (lower[f] + lower[f + 1])) +
-              (s[i + n] * (above[f] + above[f + 1]) - t[i] * (upper[f] + upper[f + 1]));
-    }
-  }
-}
-
-void GridLevel::prolongTo(GridLevel& fine, Range mine) const {
-  const int perRow = up.joined ? 2 : 1;
-  for (int row = static_cast<int>(mine.begin); row < static_cast<int>(mine.end); ++row)
-    for (int half = 0; half < perRow && perRow * row + half < fine.rows; ++half) {
-      const int first = at(0, row);
-      const float* own = &x[first];
-      const float* beside = half == 0 ? own - stride : own + stride;
-      const float* share = half == 0 ? &toSouth[first] : &toNorth[first];
-      const float *w = &toWest[first], *e = &toEast[first];
-      float* to = &fine.x[fine.at(0, perRow * row + half)];
-      if (!across.joined) {
-        for (int i = 0; i < columns; ++i) to[i] += own[i] + share[i] * (beside[i] - own[i]);
-        continue;
-      }
-      const auto left = [&](int i) {
-        return own[i] + share[i] * (beside[i] - own[i]) + w[i] * (own[i - 1] - own[i]);
-      };
-      for (int i = 0; i < fine.columns / 2; ++i) {
-        to[2 * i] += left(i);
-        to[2 * i + 1] += own[i] + share[i] * (beside[i] - own[i]) + e[i] * (own[i + 1] - own[i]);
-      }
-      if (fine.columns % 2 == 1) to[fine.columns - 1] += left(fine.columns / 2);
     }
 }
 

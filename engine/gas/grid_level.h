@@ -2,7 +2,6 @@
 #pragma once
 
 #include "engine/core/thread_team.h"
-#include "engine/gas/frame_kernel.h"
 
 #include <cstddef>
 #include <vector>
@@ -31,7 +30,7 @@ struct GridLevel {
   int columns, rows, stride;
   std::vector<float> west, south;    // coupling to the cell at the left, below; zero pressure above the top
   std::vector<float> perDiagonal;    // 0 in blocked cells
-  std::vector<float> x, other, b;    // `other` takes turns with x
+  std::vector<float> b, smoothed, x;  // right-hand side; after descend(); after ascend()
   std::vector<float> toWest, toEast, toSouth, toNorth;  // the neighbours' shares in the finer grid's cells
 
   GridLevel(LevelAxis a, LevelAxis u);
@@ -39,18 +38,21 @@ struct GridLevel {
 
   int at(int column, int row) const { return (row + 1) * stride + column; }
   int cells() const { return columns * rows; }
-  Range places(Range rows) const;
-  FrameOperator<float> matrix() const { return {west.data(), south.data(), stride}; }
+  /// Those that were joined into `mine` of the coarser level.
+  Range rowsOf(const GridLevel& coarse, Range mine) const;
 
   void updateDiagonal(Range rows);
   /// Takes from the finer grid what faces in these rows conduct; one row more than there are has the outlet.
   void conductLike(const GridLevel& fine, Range rows);
   /// Interpolates only from where cells are coupled.
   void updateShares();
-  /// b from the finer grid's residual, in `other`: the interpolation transposed.
-  void restrictFrom(const GridLevel& fine, Range rows);
-  /// Adds the interpolated x to that of the finer grid.
-  void prolongTo(GridLevel& fine, Range rows) const;
+
+  /// Room for rows that descend() and ascend() need of others, per thread.
+  std::size_t scratchSize() const { return 8 * (static_cast<std::size_t>(stride) + 4); }
+  /// Smooths x = 0 twice and hands the residual down to `coarse`, for these rows of the latter.
+  void descend(GridLevel& coarse, Range coarseRows, float* scratch);
+  /// Adds the correction of `coarse` and smooths twice, for these rows of the latter.
+  void ascend(const GridLevel& coarse, Range coarseRows, float* scratch);
 };
 
 }  // namespace bedmix

@@ -16,6 +16,7 @@ class Member {
   Member() = default;  // works alone
   Member(ThreadTeam& team, int index) : team_(&team), index_(index) {}
 
+  std::size_t index() const { return static_cast<std::size_t>(index_); }
   bool first() const { return index_ == 0; }
   bool shares() const { return team_ != nullptr; }
   Range share(int n) const {

@@ -8,17 +8,16 @@ namespace bedmix {
 namespace {
 
 constexpr int worthSharing = 1000;  // cells of a level; the first member alone sees to smaller ones
-// Jacobi's damping: 1 / (1.125 +- 0.875 cos(pi/4)), for eigenvalues of D^-1 A between 1/4 and 2.
-constexpr float firstDamping = 0.57348f, secondDamping = 1.97512f;
 
 }  // namespace
 
-Multigrid::Multigrid(const FaceLayout& layout) {
+Multigrid::Multigrid(const FaceLayout& layout, int members) {
   LevelAxis across, up;
   across.size = layout.width;
   up.size = layout.height;
   levels_.emplace_back(std::move(across), std::move(up));
   while (levels_.back().cells() > 1) levels_.push_back(levels_.back().coarser());
+  scratch_.assign(static_cast<std::size_t>(members), std::vector<float>(levels_.front().scratchSize()));
   // Which cells are coupled does not change.
   Member alone;
   prepare(alone, layout.solved);
@@ -28,10 +27,10 @@ Multigrid::Multigrid(const FaceLayout& layout) {
 void Multigrid::prepare(Member& member, const std::vector<double>& conductance) {
   GridLevel& finest = levels_.front();
   const std::size_t frame = conductance.size() / 2;
-  const Range mine = finest.places(member.share(finest.rows + 1));  // the outlet's stand above the last row
-  for (std::size_t c = mine.begin; c < mine.end; ++c) {
+  const Range rows = member.share(finest.rows + 1);  // the outlet's stand above the last row
+  for (int c = finest.at(0, static_cast<int>(rows.begin)); c < finest.at(0, static_cast<int>(rows.end)); ++c) {
     finest.west[c] = static_cast<float>(conductance[c]);
-    finest.south[c] = static_cast<float>(conductance[frame + c]);
+    finest.south[c] = static_cast<float>(conductance[frame + static_cast<std::size_t>(c)]);
   }
   member.wait();
   prepareFrom(member, 0);
@@ -57,30 +56,21 @@ void Multigrid::cycle(Member& member, std::size_t l) {
   if (level.cells() < worthSharing && member.shares()) {
     Member alone;
     if (member.first()) cycle(alone, l);
-    return member.wait();
+    return;
   }
-  const Range mine = level.places(member.share(level.rows));
-  const FrameOperator<float> a = level.matrix();
-  const float *perDiagonal = level.perDiagonal.data(), *b = level.b.data();
-  float *x = level.x.data(), *other = level.other.data();
   if (l + 1 == levels_.size()) {
-    for (std::size_t c = mine.begin; c < mine.end; ++c) x[c] = perDiagonal[c] * b[c];
-    return member.wait();
+    const int c = level.at(0, 0);
+    level.x[c] = level.perDiagonal[c] * level.b[c];
+    return;
   }
-  relaxTwice(a, perDiagonal, b, firstDamping, secondDamping, x, mine);
-  member.wait();
-  findResidual(a, b, x, other, mine);
-  member.wait();
   GridLevel& coarse = levels_[l + 1];
-  coarse.restrictFrom(level, member.share(coarse.rows));
+  const Range mine = member.share(coarse.rows);
+  float* const scratch = scratch_[member.index()].data();
+  level.descend(coarse, mine, scratch);
   member.wait();
   cycle(member, l + 1);
-  coarse.prolongTo(level, member.share(coarse.rows));
   member.wait();
-  relax(a, perDiagonal, b, secondDamping, x, other, mine);
-  member.wait();
-  relax(a, perDiagonal, b, firstDamping, other, x, mine);
-  member.wait();
+  level.ascend(coarse, mine, scratch);
 }
 
 }  // namespace bedmix

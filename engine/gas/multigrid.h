@@ -13,11 +13,11 @@ namespace bedmix {
 /// One V-cycle of geometric multigrid for the pressure system (see PressureSolver): the preconditioner that
 /// keeps the number of conjugate-gradient iterations independent of the grid's size. In single precision,
 /// which a preconditioner may be. Cells are joined two by two, in a direction only while its coupling is not
-/// much weaker than the other's. Two Jacobi sweeps before and after the coarse correction, damped so that
-/// together they are the Chebyshev polynomial for the upper part of the spectrum, keep the cycle symmetric.
+/// much weaker than the other's.
 class Multigrid {
  public:
-  explicit Multigrid(const FaceLayout& layout);
+  /// For so many members at most.
+  Multigrid(const FaceLayout& layout, int members);
 
   /// Takes new conductances, one a face, 0 where nothing is solved.
   void prepare(Member& member, const std::vector<double>& conductance);
@@ -26,13 +26,17 @@ class Multigrid {
   float* rightHandSide() { return levels_.front().b.data(); }
   const float* solution() const { return levels_.front().x.data(); }
   /// Members see all of the solution after it.
-  void cycle(Member& member) { cycle(member, 0); }
+  void cycle(Member& member) {
+    cycle(member, 0);
+    member.wait();
+  }
 
  private:
   void prepareFrom(Member& member, std::size_t level);
   void cycle(Member& member, std::size_t level);
 
-  std::vector<GridLevel> levels_;  // finest first, one cell last
+  std::vector<GridLevel> levels_;           // finest first, one cell last
+  std::vector<std::vector<float>> scratch_;  // per member
 };
 
 }  // namespace bedmix

@@ -17,16 +17,16 @@ constexpr int mostIterations = 200;
 
 }  // namespace
 
-PressureSolver::Iteration::Iteration(const FaceLayout& layout) : multigrid(layout) {
+PressureSolver::Iteration::Iteration(const FaceLayout& layout, int members) : multigrid(layout, members) {
   for (auto* field : {&residual, &direction, &image})
     field->assign(static_cast<std::size_t>(layout.size), 0.0);
 }
 
-PressureSolver::PressureSolver(const FaceLayout& layout) : layout_(layout), reduction_(layout.rows) {
+PressureSolver::PressureSolver(const FaceLayout& layout, int members) : layout_(layout), reduction_(layout.rows) {
   if (std::min(layout.columns, layout.rows) <= widestDirect && layout.columns * layout.rows < largestDirect)
     band_.emplace(layout);
   else
-    iteration_.emplace(layout);
+    iteration_.emplace(layout, members);
 }
 
 template <class OfRow>
@@ -67,7 +67,7 @@ int PressureSolver::iterate(Member& member, const std::vector<double>& b, std::v
                             Tolerance tolerance) {
   Iteration& it = *iteration_;
   const Range mine = layout_.places(member.share(layout_.rows));
-  const FrameOperator<double> a{conductance_->data(), conductance_->data() + layout_.size, layout_.stride};
+  const FrameOperator a{conductance_->data(), conductance_->data() + layout_.size, layout_.stride};
   double *r = it.residual.data(), *direction = it.direction.data(), *image = it.image.data(), *x = p.data();
   float* asked = it.multigrid.rightHandSide();
   const float* z = it.multigrid.solution();

@@ -17,7 +17,8 @@ namespace bedmix {
 /// gradients with a multigrid preconditioner. All members call its functions together.
 class PressureSolver {
  public:
-  explicit PressureSolver(const FaceLayout& layout);
+  /// For so many members at most.
+  PressureSolver(const FaceLayout& layout, int members);
 
   /// Takes new conductances, one a face, m3/(s Pa), 0 where nothing is solved. False if one is not finite or
   /// the matrix is not positive definite.
@@ -34,7 +35,7 @@ class PressureSolver {
   struct Iteration {
     Multigrid multigrid;
     std::vector<double> residual, direction, image;
-    explicit Iteration(const FaceLayout& layout);
+    Iteration(const FaceLayout& layout, int members);
   };
   int iterate(Member& member, const std::vector<double>& b, std::vector<double>& p, Tolerance tolerance);
   /// Over all rows, of what `ofRow` makes of a row's places.

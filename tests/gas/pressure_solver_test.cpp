@@ -24,7 +24,7 @@ Solution solve(int columns, int rows, double decades) {
   scene.gas->grid.rows = {{rows, 0.42 / rows}};
   const GasGrid grid = makeGasGrid(scene);
   const FaceLayout layout = makeFaceLayout(grid);
-  PressureSolver solver(layout);
+  PressureSolver solver(layout, 1);
   Rng rng(1);
   std::vector<double> coefficient(layout.faces()), b(layout.size), p(layout.size);
   for (const MomentumVolume& v : layout.volumes)
@@ -74,7 +74,7 @@ TEST(PressureSolver, CellsThatAreLongOneWay) {
 
 TEST(PressureSolver, RefusesCoefficientsThatAreNotFinite) {
   const FaceLayout layout = makeFaceLayout(makeGasGrid(test::paperScene(1.0)));
-  PressureSolver solver(layout);
+  PressureSolver solver(layout, 1);
   std::vector<double> coefficient = layout.solved;
   Member alone;
   EXPECT_TRUE(solver.prepare(alone, coefficient));
