@@ -24,23 +24,34 @@ BedState::BedState(const Scene& scene, Particles start, const std::vector<WallSe
     : particles(std::move(start)),
       contacts(scene, walls, particles.size()),
       loads(particles.size()),
-      ahead(particles.size()),
+      bodies(particles.size()),
       spinAhead(particles.spin.size()),
       gravity(scene.gravity),
       step(scene.time.step),
-      team(t) {}
+      team(t) {
+  placeBodies();
+}
+
+void BedState::placeBodies() {
+  for (std::size_t i = 0; i < bodies.size(); ++i) bodies[i] = {particles.position[i], particles.velocity[i]};
+  spinAhead = particles.spin;
+}
 
 // Loads are about to be evaluated anew; until then they lend their memory.
 bool BedState::sort() {
-  if (!contacts.sort(particles.position)) return false;
+  if (!contacts.sort(bodies)) return false;
   const std::vector<std::int32_t>& order = contacts.order();
   Particles& p = particles;
   permute(order, p.position, p.id, loads);
   permute(order, p.velocity, p.spin, loads);
   permute(order, p.external, p.drag, loads);
   permute(order, p.foreseen, spinAhead, loads);
-  std::vector<double> none;
-  permute(order, ahead, none, loads);
+  for (std::size_t k = 0; k < bodies.size(); ++k) {
+    const Body& b = bodies[order[k]];
+    loads[k] = {b.position, b.velocity.x, b.velocity.y};
+  }
+  for (std::size_t k = 0; k < bodies.size(); ++k)
+    bodies[k] = {loads[k].force, {loads[k].torque, loads[k].unused}};
   std::fill(loads.begin(), loads.end(), Load{});
   return true;
 }

@@ -38,8 +38,9 @@ struct BedState {
   Particles particles;
   ContactList contacts;
   std::vector<Load> loads;  // of contacts, at the last evaluation
-  /// Velocities and spins predicted to the end of the step; a list made anew moves them along.
-  std::vector<Vec2> ahead;
+  /// What contacts are evaluated at: within advance() positions stand here, and velocities and spins
+  /// predicted to the end of the step.
+  std::vector<Body> bodies;
   std::vector<double> spinAhead;
   SkinBudget budget;
   double gravity;  // m/s2, downward
@@ -47,6 +48,8 @@ struct BedState {
   ThreadTeam& team;
   DemSeconds seconds;
 
+  /// Puts the bodies where the particles are.
+  void placeBodies();
   /// Sorts the particles in space, for a new contact list; false where not all are at finite places. Loads
   /// are zero afterwards.
   bool sort();

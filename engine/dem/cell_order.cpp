@@ -7,12 +7,13 @@
 
 namespace bedmix {
 
-bool CellOrder::sort(const std::vector<Vec2>& position) {
-  const auto n = static_cast<std::int32_t>(position.size());
+bool CellOrder::sort(const std::vector<Body>& bodies) {
+  const auto n = static_cast<std::int32_t>(bodies.size());
   constexpr double infinity = std::numeric_limits<double>::infinity();
   Vec2 lowest{infinity, infinity}, highest{-infinity, -infinity};
   double finite = 0.0;  // 0, or not a number
-  for (const Vec2 p : position) {
+  for (const Body& body : bodies) {
+    const Vec2 p = body.position;
     lowest = {std::min(lowest.x, p.x), std::min(lowest.y, p.y)};
     highest = {std::max(highest.x, p.x), std::max(highest.y, p.y)};
     finite += p.x * 0.0 + p.y * 0.0;
@@ -30,12 +31,14 @@ bool CellOrder::sort(const std::vector<Vec2>& position) {
   strips_ = n == 0 ? 1 : cells(upright ? box.x : box.y, most(perStrip_));
 
   // Counting sort: stable.
-  cellOf_.resize(position.size());
-  order_.resize(position.size());
+  cellOf_.resize(bodies.size());
+  order_.resize(bodies.size());
   start_.assign(static_cast<std::size_t>(strips_) * perStrip_ + 1, 0);
   for (std::int32_t i = 0; i < n; ++i) {
-    const double across = (upright ? position[i].x - lowest.x : position[i].y - lowest.y) * perSize;
-    const double along = (upright ? position[i].y - lowest.y : position[i].x - lowest.x) * perSize;
+    const double across =
+        (upright ? bodies[i].position.x - lowest.x : bodies[i].position.y - lowest.y) * perSize;
+    const double along =
+        (upright ? bodies[i].position.y - lowest.y : bodies[i].position.x - lowest.x) * perSize;
     const auto strip = static_cast<std::int32_t>(std::min(across, strips_ - 1.0));
     const auto place = static_cast<std::int32_t>(std::min(along, perStrip_ - 1.0));
     cellOf_[i] = strip * perStrip_ + place;

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "engine/core/thread_team.h"
-#include "engine/core/vec2.h"
+#include "engine/dem/rows.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -20,7 +20,7 @@ class CellOrder {
   explicit CellOrder(double size) : size_(size) {}
 
   /// False, and nothing done, where a particle is at no finite place. Cost grows linearly with their number.
-  bool sort(const std::vector<Vec2>& position);
+  bool sort(const std::vector<Body>& bodies);
 
   /// Who comes k-th, by their numbers before; in a cell as they stood.
   const std::vector<std::int32_t>& order() const { return order_; }

@@ -22,7 +22,7 @@ void watch(const BedState& bed, ContactBlock& block, const ContactSlots& slots, 
 void watchPairs(const BedState& bed, ContactBlock& block, const ContactSlots& slots, const Motion& at,
                 double reach, const KernelReport& report) {
   watch(bed, block, slots, reach, report, [&](std::size_t c) {
-    const Vec2 apart = at.position[slots.second[c]] - at.position[slots.first[c]];
+    const Vec2 apart = at.body[slots.second[c]].position - at.body[slots.first[c]].position;
     return dot(apart, apart);
   });
 }
@@ -60,7 +60,7 @@ void ContactForces::addWall(BedState& bed, ContactBlock& block, const ContactBlo
   const KernelReport report = wall_.wall(at, wall, s.first.data(), s.count, t, bed.loads.data());
   watch(bed, block, s, wall_.law.reach, report, [&](std::size_t c) {
     Vec2 point;
-    const Vec2 centre = at.position[s.first[c]];
+    const Vec2 centre = at.body[s.first[c]].position;
     return wall.touchPoint(centre, point) ? dot(point - centre, point - centre) : -1.0;
   });
 }

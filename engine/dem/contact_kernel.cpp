@@ -14,32 +14,21 @@ namespace {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-using D = hn::ScalableTag<double>;
+/// Four contacts at a time even where vectors are longer: rows of four are what is loaded and stored.
+using D = hn::CappedTag<double, 4>;
 using V = hn::Vec<D>;
 using M = hn::Mask<D>;
 constexpr std::size_t lanes = hn::MaxLanes(D());
 
-/// (x, y) of every other particle of `index`, one after the other.
-template <class Tag>
-HWY_INLINE hn::Vec<Tag> loadEveryOther(Tag d, const Vec2* from, const std::int32_t* index) {
+/// value(0), value(1), ...
+template <class Tag, class Value>
+HWY_INLINE hn::Vec<Tag> collect(Tag d, std::size_t first, Value&& value) {
   if constexpr (hn::MaxLanes(Tag()) == 2) {
-    return hn::LoadU(d, &from[index[0]].x);
+    return hn::OddEven(hn::Set(d, value(first + 1)), hn::Set(d, value(first)));
   } else {
     const hn::Half<Tag> half;
     constexpr std::size_t upper = hn::MaxLanes(Tag()) / 2;
-    return hn::Combine(d, loadEveryOther(half, from, index + upper), loadEveryOther(half, from, index));
-  }
-}
-
-/// from[index[0]], from[index[1]], ...
-template <class Tag>
-HWY_INLINE hn::Vec<Tag> loadEach(Tag d, const double* from, const std::int32_t* index) {
-  if constexpr (hn::MaxLanes(Tag()) == 1) {
-    return hn::LoadU(d, &from[index[0]]);
-  } else {
-    const hn::Half<Tag> half;
-    constexpr std::size_t upper = hn::MaxLanes(Tag()) / 2;
-    return hn::Combine(d, loadEach(half, from, index + upper), loadEach(half, from, index));
+    return hn::Combine(d, collect(half, first + upper, value), collect(half, first, value));
   }
 }
 
@@ -47,17 +36,36 @@ struct Plane {
   V x, y;
 };
 
-HWY_INLINE Plane difference(const Vec2* of, const std::int32_t* first, const std::int32_t* second) {
+/// Position and velocity of some particles, or of some relative to others.
+struct Kinematics {
+  Plane position, velocity;
+};
+
+/// row(l, part) are rows of bodies, or their halves where vectors are no longer.
+template <class LoadRow>
+HWY_INLINE Kinematics transpose(LoadRow&& row) {
   const D d;
-  const V even = hn::Sub(loadEveryOther(d, of, second), loadEveryOther(d, of, first));
-  const V odd = hn::Sub(loadEveryOther(d, of, second + 1), loadEveryOther(d, of, first + 1));
-  return {hn::InterleaveLower(d, even, odd), hn::InterleaveUpper(d, even, odd)};
+  if constexpr (lanes == 4) {
+    const V r0 = row(0, 0), r1 = row(1, 0), r2 = row(2, 0), r3 = row(3, 0);
+    const V x01 = hn::InterleaveLower(d, r0, r1), y01 = hn::InterleaveUpper(d, r0, r1);
+    const V x23 = hn::InterleaveLower(d, r2, r3), y23 = hn::InterleaveUpper(d, r2, r3);
+    return {{hn::ConcatLowerLower(d, x23, x01), hn::ConcatLowerLower(d, y23, y01)},
+            {hn::ConcatUpperUpper(d, x23, x01), hn::ConcatUpperUpper(d, y23, y01)}};
+  } else {
+    const V p0 = row(0, 0), p1 = row(1, 0), v0 = row(0, 1), v1 = row(1, 1);
+    return {{hn::InterleaveLower(d, p0, p1), hn::InterleaveUpper(d, p0, p1)},
+            {hn::InterleaveLower(d, v0, v1), hn::InterleaveUpper(d, v0, v1)}};
+  }
 }
 
-HWY_INLINE Plane load(const Vec2* of, const std::int32_t* index) {
-  const D d;
-  const V even = loadEveryOther(d, of, index), odd = loadEveryOther(d, of, index + 1);
-  return {hn::InterleaveLower(d, even, odd), hn::InterleaveUpper(d, even, odd)};
+HWY_INLINE V part(const Body& body, std::size_t p) { return hn::Load(D(), &body.position.x + p * lanes); }
+
+HWY_INLINE Kinematics load(const Body* body, const std::int32_t* i) {
+  return transpose([&](std::size_t l, std::size_t p) HWY_ATTR { return part(body[i[l]], p); });
+}
+HWY_INLINE Kinematics difference(const Body* body, const std::int32_t* i, const std::int32_t* j) {
+  return transpose([&](std::size_t l, std::size_t p)
+                       HWY_ATTR { return hn::Sub(part(body[j[l]], p), part(body[i[l]], p)); });
 }
 
 HWY_INLINE V dot(const Plane& a, const Plane& b) { return hn::Add(hn::Mul(a.x, b.x), hn::Mul(a.y, b.y)); }
@@ -67,52 +75,40 @@ struct Push {
   V fx, fy, torque;
 };
 
-/// Visits contact after contact: visit(l, row) with the row of the first particle's load, in as many vectors
-/// as it takes.
-template <class Tag, class Visit>
-HWY_INLINE void forRows(Tag d, hn::Vec<Tag> fx, hn::Vec<Tag> fy, hn::Vec<Tag> torque, std::size_t l,
-                        Visit&& visit) {
-  constexpr std::size_t n = hn::MaxLanes(Tag());
-  if constexpr (n > 4) {
-    const hn::Half<Tag> half;
-    forRows(half, hn::LowerHalf(half, fx), hn::LowerHalf(half, fy), hn::LowerHalf(half, torque), l, visit);
-    forRows(half, hn::UpperHalf(half, fx), hn::UpperHalf(half, fy), hn::UpperHalf(half, torque), l + n / 2,
-            visit);
+/// Visits contact after contact: visit(l, row) with the row of the first particle's load, or visit(l, force,
+/// torque) with its halves.
+template <class Visit>
+HWY_INLINE void forRows(const Push& push, Visit&& visit) {
+  const D d;
+  const V zero = hn::Zero(d);
+  const V even = hn::InterleaveLower(d, push.fx, push.fy), odd = hn::InterleaveUpper(d, push.fx, push.fy);
+  const V evenTurn = hn::InterleaveLower(d, push.torque, zero),
+          oddTurn = hn::InterleaveUpper(d, push.torque, zero);
+  if constexpr (lanes == 4) {
+    visit(0, hn::ConcatLowerLower(d, evenTurn, even));
+    visit(1, hn::ConcatLowerLower(d, oddTurn, odd));
+    visit(2, hn::ConcatUpperUpper(d, evenTurn, even));
+    visit(3, hn::ConcatUpperUpper(d, oddTurn, odd));
   } else {
-    const auto zero = hn::Zero(d);
-    const auto even = hn::InterleaveLower(d, fx, fy), odd = hn::InterleaveUpper(d, fx, fy);
-    const auto evenTurn = hn::InterleaveLower(d, torque, zero),
-               oddTurn = hn::InterleaveUpper(d, torque, zero);
-    if constexpr (n == 4) {
-      visit(l, hn::ConcatLowerLower(d, evenTurn, even));
-      visit(l + 1, hn::ConcatLowerLower(d, oddTurn, odd));
-      visit(l + 2, hn::ConcatUpperUpper(d, evenTurn, even));
-      visit(l + 3, hn::ConcatUpperUpper(d, oddTurn, odd));
-    } else {
-      visit(l, even, evenTurn);
-      visit(l + 1, odd, oddTurn);
-    }
+    visit(0, even, evenTurn);
+    visit(1, odd, oddTurn);
   }
 }
 
-/// Whole rows, or halves of them: force, then torque.
-using Row = hn::CappedTag<double, 4>;
-using RowPart = hn::Vec<Row>;
-
-HWY_INLINE void addRow(Load* load, RowPart row) {
+HWY_INLINE void addRow(Load* load, V row) {
   double* const to = &load->force.x;
-  hn::Store(hn::Add(hn::Load(Row(), to), row), Row(), to);
+  hn::Store(hn::Add(hn::Load(D(), to), row), D(), to);
 }
-HWY_INLINE void addRow(Load* load, RowPart force, RowPart torque) {
+HWY_INLINE void addRow(Load* load, V force, V torque) {
   double* const to = &load->force.x;
-  hn::Store(hn::Add(hn::Load(Row(), to), force), Row(), to);
-  hn::Store(hn::Add(hn::Load(Row(), to + 2), torque), Row(), to + 2);
+  hn::Store(hn::Add(hn::Load(D(), to), force), D(), to);
+  hn::Store(hn::Add(hn::Load(D(), to + 2), torque), D(), to + 2);
 }
 
 /// The same on the other: the force changes its sign, the torque does not.
 HWY_ALIGN constexpr double signs[] = {-0.0, -0.0, 0.0, 0.0};
-HWY_INLINE void addOther(Load* load, RowPart row) { addRow(load, hn::Xor(row, hn::Load(Row(), signs))); }
-HWY_INLINE void addOther(Load* load, RowPart force, RowPart torque) { addRow(load, hn::Neg(force), torque); }
+HWY_INLINE void addOther(Load* load, V row) { addRow(load, hn::Xor(row, hn::Load(D(), signs))); }
+HWY_INLINE void addOther(Load* load, V force, V torque) { addRow(load, hn::Neg(force), torque); }
 
 template <bool friction>
 class Law {
@@ -190,31 +186,40 @@ class Law {
 /// What becomes of the second particles' part.
 enum class Second { added, inRows };
 
+/// Those from `c` on; of the vector's lanes only those `among`.
+template <bool friction, Second where>
+HWY_INLINE void addPairs(Law<friction>& law, const Motion& at, const std::int32_t* i, const std::int32_t* j,
+                         std::size_t c, M among, const Tangential& t, Load* loads, Load* second) {
+  const D d;
+  V rolling = hn::Zero(d);
+  if constexpr (friction)
+    rolling =
+        hn::Mul(law.radius(), collect(d, c, [&](std::size_t l) { return at.spin[i[l]] + at.spin[j[l]]; }));
+  const Kinematics other = difference(at.body, i + c, j + c);
+  Push push{hn::Zero(d), hn::Zero(d), hn::Zero(d)};
+  const bool any = law.apply(other.position, other.velocity, rolling, among, c, t, push);
+  // Rows of all, for who reads them does not know who touches.
+  if (!any && where == Second::added) return;
+  forRows(push, [&](std::size_t l, auto... parts) HWY_ATTR {
+    addRow(loads + i[c + l], parts...);
+    if constexpr (where == Second::inRows) second[c + l] = Load{};
+    addOther(where == Second::added ? loads + j[c + l] : second + c + l, parts...);
+  });
+}
+
 template <bool friction, Second where>
 KernelReport pairLoop(const ContactKernel& kernel, const Motion& motion, const PairIndices& pairs,
                       const Tangential& tangential, Load* loads, Load* second) {
   const D d;
   const Motion at = motion;  // copies, which no store can change
   const Tangential t = tangential;
-  const std::int32_t *firsts = pairs.first, *seconds = pairs.second;
+  const std::int32_t *i = pairs.first, *j = pairs.second;
   const std::size_t count = pairs.count;
+  const M all = hn::FirstN(d, lanes);
   Law<friction> law(kernel);
-  for (std::size_t c = 0; c < count; c += lanes) {
-    const std::int32_t *i = firsts + c, *j = seconds + c;
-    V rolling = hn::Zero(d);
-    if constexpr (friction)
-      rolling = hn::Mul(law.radius(), hn::Add(loadEach(d, at.spin, i), loadEach(d, at.spin, j)));
-    Push push{hn::Zero(d), hn::Zero(d), hn::Zero(d)};
-    const bool any = law.apply(difference(at.position, i, j), difference(at.velocity, i, j), rolling,
-                               hn::FirstN(d, count - c), c, t, push);
-    // Rows of all, for who reads them does not know who touches.
-    if (!any && where == Second::added) continue;
-    forRows(d, push.fx, push.fy, push.torque, 0, [&](std::size_t l, auto... parts) HWY_ATTR {
-      addRow(loads + i[l], parts...);
-      if constexpr (where == Second::inRows) second[c + l] = Load{};
-      addOther(where == Second::added ? loads + j[l] : second + c + l, parts...);
-    });
-  }
+  std::size_t c = 0;
+  for (; c + lanes <= count; c += lanes) addPairs<friction, where>(law, at, i, j, c, all, t, loads, second);
+  if (c < count) addPairs<friction, where>(law, at, i, j, c, hn::FirstN(d, count - c), t, loads, second);
   return law.report();
 }
 
@@ -236,7 +241,7 @@ KernelReport wallLoop(const ContactKernel& kernel, const Motion& motion, const W
   Law<friction> law(kernel);
   for (std::size_t c = 0; c < count; c += lanes) {
     const std::int32_t* i = particle + c;
-    const Plane centre = load(at.position, i), velocity = load(at.velocity, i);
+    const auto [centre, velocity] = load(at.body, i);
     const Plane fromA = minus(centre, a), fromB = minus(centre, b);
     const V place = dot(fromA, along);
     const M beforeA = hn::Lt(place, zero), beyondB = hn::Gt(place, length);
@@ -248,14 +253,14 @@ KernelReport wallLoop(const ContactKernel& kernel, const Motion& motion, const W
     const Plane point{hn::Add(a.x, hn::Mul(clamped, along.x)), hn::Add(a.y, hn::Mul(clamped, along.y))};
     const Plane nearest{hn::IfThenElse(beyondB, b.x, point.x), hn::IfThenElse(beyondB, b.y, point.y)};
     V rolling = zero;
-    if constexpr (friction) rolling = hn::Mul(law.radius(), loadEach(d, at.spin, i));
+    if constexpr (friction)
+      rolling = hn::Mul(law.radius(), collect(d, 0, [&](std::size_t l) { return at.spin[i[l]]; }));
     const M among = hn::And(pushes, count - c < lanes ? hn::FirstN(d, count - c) : all);
     Push push{zero, zero, zero};
     if (!law.apply(minus(nearest, centre), {hn::Neg(velocity.x), hn::Neg(velocity.y)}, rolling, among, c, t,
                    push))
       continue;
-    forRows(d, push.fx, push.fy, push.torque, 0,
-            [&](std::size_t l, auto... parts) HWY_ATTR { addRow(loads + i[l], parts...); });
+    forRows(push, [&](std::size_t l, auto... parts) HWY_ATTR { addRow(loads + i[l], parts...); });
   }
   return law.report();
 }

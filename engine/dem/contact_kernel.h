@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "engine/core/vec2.h"
 #include "engine/dem/contact_law.h"
-#include "engine/dem/load.h"
+#include "engine/dem/rows.h"
 #include "engine/dem/wall_shape.h"
 
 #include <cstddef>
@@ -14,10 +13,9 @@
 
 namespace bedmix {
 
-/// Where forces are evaluated: one value a particle, m, m/s, rad/s (null without friction).
+/// Where forces are evaluated: one a particle, spin in rad/s (null without friction).
 struct Motion {
-  const Vec2* position;
-  const Vec2* velocity;
+  const Body* body;
   const double* spin;
 };
 

@@ -65,10 +65,10 @@ ContactList::ContactList(const Scene& scene, const std::vector<WallSegment>& wal
   }
 }
 
-bool ContactList::sort(const std::vector<Vec2>& position) {
-  if (!order_.sort(position)) return false;
+bool ContactList::sort(const std::vector<Body>& bodies) {
+  if (!order_.sort(bodies)) return false;
   if (friction_) rememberContacts();
-  built_.resize(position.size());
+  built_.resize(bodies.size());
   ++builds_;
   return true;
 }
@@ -125,23 +125,21 @@ void ContactList::recall(ContactSlots& slots, std::int32_t wall) const {
   }
 }
 
-void ContactList::find(std::size_t b, const std::vector<Vec2>& position, ContactSlots& spare) {
+void ContactList::find(std::size_t b, const std::vector<Body>& bodies, ContactSlots& spare) {
   ContactBlock& block = blocks_[b];
-  findPairs(block, position);
-  findWalls(block, position);
-  std::copy(position.begin() + static_cast<std::ptrdiff_t>(block.particles.begin),
-            position.begin() + static_cast<std::ptrdiff_t>(block.particles.end),
-            built_.begin() + static_cast<std::ptrdiff_t>(block.particles.begin));
+  findPairs(block, bodies);
+  findWalls(block, bodies);
+  for (std::size_t i = block.particles.begin; i < block.particles.end; ++i) built_[i] = bodies[i].position;
 
   block.near.count = 0;
-  refresh(b, position, spare);
+  refresh(b, bodies, spare);
   if (!friction_) return;
   recall(block.near, 0);
   recall(block.crossing, 0);
   for (ContactBlock::AtWall& w : block.walls) recall(w.slots, -1 - static_cast<std::int32_t>(w.wall));
 }
 
-void ContactList::findPairs(ContactBlock& block, const std::vector<Vec2>& position) {
+void ContactList::findPairs(ContactBlock& block, const std::vector<Body>& bodies) {
   const double reach = diameter_ + skin_;
   std::vector<ContactBlock::Pair>& inside = block.candidates;
   ContactSlots& crossing = block.crossing;
@@ -153,12 +151,12 @@ void ContactList::findPairs(ContactBlock& block, const std::vector<Vec2>& positi
     if (here.begin < here.end && count + here.size() > inside.size())
       atLeast(inside, inside.size() + here.size() + block.particles.size() / 8);
     for (std::size_t j = here.begin; j < here.end; ++j) {
-      const Vec2 apart = position[j] - position[i];
+      const Vec2 apart = bodies[j].position - bodies[i].position;
       inside[count] = {static_cast<std::int32_t>(i), static_cast<std::int32_t>(j)};
       count += static_cast<std::size_t>(dot(apart, apart) < reach * reach);
     }
     for (std::size_t j = std::max(others.begin, block.particles.end); j < others.end; ++j) {
-      const Vec2 apart = position[j] - position[i];
+      const Vec2 apart = bodies[j].position - bodies[i].position;
       if (!(dot(apart, apart) < reach * reach)) continue;
       crossing.reserve(crossing.count + 1 + crossing.count / 2, true, friction_);
       crossing.first[crossing.count] = static_cast<std::int32_t>(i);
@@ -174,13 +172,13 @@ void ContactList::findPairs(ContactBlock& block, const std::vector<Vec2>& positi
   atLeast(block.crossingLoads, crossing.count + vector);
 }
 
-void ContactList::findWalls(ContactBlock& block, const std::vector<Vec2>& position) {
+void ContactList::findWalls(ContactBlock& block, const std::vector<Body>& bodies) {
   const double reach = diameter_ / 2.0 + skin_;
   for (ContactBlock::AtWall& w : block.walls) {
     ContactSlots& slots = w.slots;
     slots.count = 0;
     for (std::size_t i = block.particles.begin; i < block.particles.end; ++i) {
-      if (!(walls_[w.wall].distance2(position[i]) < reach * reach)) continue;
+      if (!(walls_[w.wall].distance2(bodies[i].position) < reach * reach)) continue;
       slots.reserve(slots.count + 1 + slots.count / 2, false, friction_);
       slots.first[slots.count++] = static_cast<std::int32_t>(i);
     }
@@ -205,7 +203,7 @@ void ContactList::link() {
   }
 }
 
-void ContactList::refresh(std::size_t b, const std::vector<Vec2>& position, ContactSlots& spare) {
+void ContactList::refresh(std::size_t b, const std::vector<Body>& bodies, ContactSlots& spare) {
   ContactBlock& block = blocks_[b];
   std::swap(block.near, spare);
   block.near.count = 0;
@@ -215,9 +213,9 @@ void ContactList::refresh(std::size_t b, const std::vector<Vec2>& position, Cont
     const std::span some(block.candidates.data() + k, std::min(stretch, block.candidateCount - k));
     block.near.reserve(block.near.count + some.size(), true, friction_);
     if (friction_)
-      choose<true>(some, position, old, met, block.near);
+      choose<true>(some, bodies, old, met, block.near);
     else
-      choose<false>(some, position, old, met, block.near);
+      choose<false>(some, bodies, old, met, block.near);
   }
   block.near.reserve(block.near.count, true, friction_);
   block.near.pad(static_cast<std::int32_t>(block.particles.begin));
@@ -225,12 +223,12 @@ void ContactList::refresh(std::size_t b, const std::vector<Vec2>& position, Cont
 
 // No branch: who is near is packed to the front, and the old ones are met in the same order.
 template <bool friction>
-void ContactList::choose(std::span<const ContactBlock::Pair> candidates, const std::vector<Vec2>& position,
+void ContactList::choose(std::span<const ContactBlock::Pair> candidates, const std::vector<Body>& bodies,
                          const ContactSlots& old, std::size_t& met, ContactSlots& near) const {
   const double reach = diameter_ + innerSkin_;
   std::size_t count = near.count;
   for (const auto& [i, j] : candidates) {
-    const Vec2 apart = position[j] - position[i];
+    const Vec2 apart = bodies[j].position - bodies[i].position;
     near.first[count] = i;
     near.second[count] = j;
     if constexpr (friction) {
@@ -251,10 +249,10 @@ void ContactList::Displacements::add(double square) {
 }
 
 ContactList::Displacements ContactList::displacements(Range particles,
-                                                      const std::vector<Vec2>& position) const {
+                                                      const std::vector<Body>& bodies) const {
   Displacements d;
   for (std::size_t i = particles.begin; i < particles.end; ++i) {
-    const Vec2 moved = position[i] - built_[i];
+    const Vec2 moved = bodies[i].position - built_[i];
     d.add(dot(moved, moved));
   }
   return d;

@@ -4,7 +4,7 @@
 #include "engine/core/blocks.h"
 #include "engine/core/vec2.h"
 #include "engine/dem/cell_order.h"
-#include "engine/dem/load.h"
+#include "engine/dem/rows.h"
 #include "engine/dem/wall_shape.h"
 
 #include <cstddef>
@@ -83,12 +83,12 @@ class ContactList {
   /// A new list is made in four calls, each once all members have done the last one: sort() by one of them,
   /// who then moves particles to their new order() unless it is false, not all being at finite places; find()
   /// for each block; link() by one; and refresh() is done.
-  bool sort(const std::vector<Vec2>& position);
+  bool sort(const std::vector<Body>& bodies);
   const std::vector<std::int32_t>& order() const { return order_.order(); }
-  void find(std::size_t block, const std::vector<Vec2>& position, ContactSlots& spare);
+  void find(std::size_t block, const std::vector<Body>& bodies, ContactSlots& spare);
   void link();
   /// Picks those within the inner skin anew. `spare` lends its memory; one a member.
-  void refresh(std::size_t block, const std::vector<Vec2>& position, ContactSlots& spare);
+  void refresh(std::size_t block, const std::vector<Body>& bodies, ContactSlots& spare);
 
   SkinBudget fullBudget() const { return {skin_, innerSkin_}; }
   /// Squares of the two largest displacements in a block since the list was made.
@@ -96,17 +96,17 @@ class ContactList {
     double largest = 0.0, second = 0.0;
     void add(double square);
   };
-  Displacements displacements(Range particles, const std::vector<Vec2>& position) const;
+  Displacements displacements(Range particles, const std::vector<Body>& bodies) const;
   /// What is left of the skin after that; negative where it is too little to go on with.
   double remainder(const Displacements& d) const;
 
  private:
   void rememberContacts();
-  void findPairs(ContactBlock& block, const std::vector<Vec2>& position);
-  void findWalls(ContactBlock& block, const std::vector<Vec2>& position);
+  void findPairs(ContactBlock& block, const std::vector<Body>& bodies);
+  void findWalls(ContactBlock& block, const std::vector<Body>& bodies);
   void recall(ContactSlots& slots, std::int32_t wall) const;
   template <bool friction>
-  void choose(std::span<const ContactBlock::Pair> candidates, const std::vector<Vec2>& position,
+  void choose(std::span<const ContactBlock::Pair> candidates, const std::vector<Body>& bodies,
               const ContactSlots& old, std::size_t& met, ContactSlots& near) const;
 
   double diameter_, skin_, innerSkin_;

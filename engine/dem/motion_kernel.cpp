@@ -43,6 +43,35 @@ HWY_INLINE void store(D d, const Plane<D>& p, Vec2* to) {
   }
 }
 
+/// A row of each of some particles.
+template <class D>
+struct Rows {
+  hn::Vec<D> a, b, c, d;
+};
+
+template <class D>
+HWY_INLINE Rows<D> loadRows(D d, const double* from) {
+  Rows<D> r;
+  if constexpr (hn::MaxLanes(D()) == 1) {
+    r = {hn::LoadU(d, from), hn::LoadU(d, from + 1), hn::LoadU(d, from + 2), hn::LoadU(d, from + 3)};
+  } else {
+    hn::LoadInterleaved4(d, from, r.a, r.b, r.c, r.d);
+  }
+  return r;
+}
+
+template <class D>
+HWY_INLINE void storeRows(D d, const Rows<D>& r, double* to) {
+  if constexpr (hn::MaxLanes(D()) == 1) {
+    hn::StoreU(r.a, d, to);
+    hn::StoreU(r.b, d, to + 1);
+    hn::StoreU(r.c, d, to + 2);
+    hn::StoreU(r.d, d, to + 3);
+  } else {
+    hn::StoreInterleaved4(r.a, r.b, r.c, r.d, d, to);
+  }
+}
+
 template <class D>
 HWY_INLINE Plane<D> add(const Plane<D>& a, const Plane<D>& b) {
   return {hn::Add(a.x, b.x), hn::Add(a.y, b.y)};
@@ -63,8 +92,8 @@ class Mover {
   template <class D>
   HWY_INLINE hn::Vec<D> move(D d, std::size_t i, hn::Vec<D> fastest2) const {
     const auto one = hn::Set(d, 1.0), half = hn::Set(d, 0.5 * k_.step), zero = hn::Zero(d);
-    hn::Vec<D> torque = zero;
-    Plane<D> force = loads(d, i, torque);
+    const Rows<D> sums = loadRows(d, &k_.loads[i].force.x);
+    Plane<D> force{sums.a, sums.b};
     auto braking = zero;  // dt/2 drag/m
     if constexpr (dragged) {
       force = add(force, load(d, k_.external + i));
@@ -82,15 +111,20 @@ class Mover {
       const Plane<D> start = v;
       v = add(v, gain);
       if constexpr (dragged) v = scale<D>(hn::Div(one, hn::Add(one, braking)), v);
-      store(d, add(load(d, k_.position + i), scale<D>(hn::Set(d, k_.step), v)), k_.position + i);
       Plane<D> ahead = add(v, gain);
       if constexpr (dragged)
         ahead = {hn::Sub(hn::Add(v.x, v.x), start.x), hn::Sub(hn::Add(v.y, v.y), start.y)};
-      store(d, ahead, k_.ahead + i);
+      double* const body = &k_.body[i].position.x;
+      const Rows<D> before = loadRows(d, body);
+      const Plane<D> moved = add({before.a, before.b}, scale<D>(hn::Set(d, k_.step), v));
+      storeRows(d, {moved.x, moved.y, ahead.x, ahead.y}, body);
       clear(d, i);
+    } else {
+      const Rows<D> body = loadRows(d, &k_.body[i].position.x);
+      store(d, {body.a, body.b}, k_.position + i);
     }
     store(d, v, k_.velocity + i);
-    if constexpr (turns) turn(d, i, torque);
+    if constexpr (turns) turn(d, i, sums.c);
 
     const auto speed2 = hn::Add(hn::Mul(v.x, v.x), hn::Mul(v.y, v.y));
     const auto huge = hn::Set(d, std::numeric_limits<double>::max());
@@ -99,20 +133,6 @@ class Mover {
   }
 
  private:
-  template <class D>
-  HWY_INLINE Plane<D> loads(D d, std::size_t i, hn::Vec<D>& torque) const {
-    Plane<D> force;
-    const double* const from = &k_.loads[i].force.x;
-    if constexpr (hn::MaxLanes(D()) == 1) {
-      force = {hn::LoadU(d, from), hn::LoadU(d, from + 1)};
-      torque = hn::LoadU(d, from + 2);
-    } else {
-      hn::Vec<D> unused;
-      hn::LoadInterleaved4(d, from, force.x, force.y, torque, unused);
-    }
-    return force;
-  }
-
   template <class D>
   HWY_INLINE void clear(D d, std::size_t i) const {
     double* const to = &k_.loads[i].force.x;

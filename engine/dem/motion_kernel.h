@@ -3,31 +3,31 @@
 
 #include "engine/core/thread_team.h"
 #include "engine/core/vec2.h"
-#include "engine/dem/load.h"
+#include "engine/dem/rows.h"
 
 namespace bedmix {
 
 /// Velocity Verlet over particles, in vectors; one value a particle. Without friction what turns is null,
 /// without external forces these are.
 struct MotionKernel {
-  double step = 0.0;        // s
-  double gravity = 0.0;     // m/s2, downward
-  double perMass = 0.0;     // 1/kg
-  double perInertia = 0.0;  // 1/(kg m2)
-  Vec2* position = nullptr;
+  double step = 0.0;         // s
+  double gravity = 0.0;      // m/s2, downward
+  double perMass = 0.0;      // 1/kg
+  double perInertia = 0.0;   // 1/(kg m2)
+  Body* body = nullptr;      // drifts; its velocity is predicted to the end of the step
+  Vec2* position = nullptr;  // of the body, after a last kick
   Vec2* velocity = nullptr;
   double* spin = nullptr;
   const Vec2* external = nullptr;  // N, on a particle at rest
   const double* drag = nullptr;    // kg/s
   Load* loads = nullptr;           // of contacts; zero after a drift
-  Vec2* ahead = nullptr;           // velocity predicted to the end of the step
-  double* spinAhead = nullptr;
+  double* spinAhead = nullptr;     // predicted likewise
 
   /// Half a step in velocity, a whole one in position. The drag of the step is that of the velocity half-way,
   /// implicitly: v' = (v + dt/2 a) / (1 + dt/2 drag/m), and its impulse exactly -drag times the displacement.
   /// Returns the square of the largest speed half-way; infinite where one is not finite.
   double drift(Range particles) const;
-  /// The second half of a step in velocity. Returns likewise.
+  /// The second half of a step in velocity, the last of several. Returns likewise.
   double kick(Range particles) const;
   /// The second half of a step and the first of the next.
   double kickAndDrift(Range particles) const;

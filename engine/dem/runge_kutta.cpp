@@ -16,10 +16,14 @@ void add(std::vector<T>& to, double factor, const std::vector<T>& change) {
   for (std::size_t i = 0; i < to.size(); ++i) to[i] += factor * change[i];
 }
 
-double largestNorm(const std::vector<Vec2>& v) {
+template <class Values, class Of>
+double largestNorm(const Values& values, Of&& of) {
   double largest = 0.0;
-  for (const Vec2 u : v) largest = std::max(largest, dot(u, u));
+  for (const auto& value : values) largest = std::max(largest, dot(of(value), of(value)));
   return std::sqrt(largest);
+}
+double largestNorm(const std::vector<Vec2>& v) {
+  return largestNorm(v, [](Vec2 u) { return u; });
 }
 
 /// visit(slots, k) for all arrays of contacts, k counting them in the order of evaluate().
@@ -37,15 +41,16 @@ void forSlots(BedState& bed, Visit&& visit) {
 }  // namespace
 
 RungeKutta4::RungeKutta4(const Scene& scene, const BedState& bed) : contacts_(scene, 0.0) {
-  for (Values* v : {&at_, &sum_}) {
-    v->position.resize(bed.particles.size());
-    v->velocity.resize(bed.particles.size());
-    v->spin.resize(bed.particles.spin.size());
-  }
+  sum_.position.resize(bed.particles.size());
+  sum_.velocity.resize(bed.particles.size());
+  sum_.spin.resize(bed.particles.spin.size());
   history_.resize(bed.contacts.blocks() * (2 + bed.contacts.walls().size()));
 }
 
-void RungeKutta4::begin(BedState& bed) { rebuild(bed); }
+void RungeKutta4::begin(BedState& bed) {
+  bed.placeBodies();
+  rebuild(bed);
+}
 
 StepOutcome RungeKutta4::advance(BedState& bed, std::int64_t steps, double maxOverlap) {
   StepOutcome outcome;
@@ -63,10 +68,7 @@ StepOutcome RungeKutta4::advance(BedState& bed, std::int64_t steps, double maxOv
 
 bool RungeKutta4::attempt(BedState& bed, bool force) {
   LapTimer timer;
-  const Particles& p = bed.particles;
-  at_.position = p.position;
-  at_.velocity = p.velocity;
-  at_.spin = p.spin;
+  bed.placeBodies();
   std::fill(sum_.position.begin(), sum_.position.end(), Vec2{});
   std::fill(sum_.velocity.begin(), sum_.velocity.end(), Vec2{});
   std::fill(sum_.spin.begin(), sum_.spin.end(), 0.0);
@@ -90,7 +92,7 @@ bool RungeKutta4::attempt(BedState& bed, bool force) {
 
 void RungeKutta4::evaluate(BedState& bed, std::size_t stage) {
   std::fill(bed.loads.begin(), bed.loads.end(), Load{});
-  const Motion at{at_.position.data(), at_.velocity.data(), at_.spin.data()};
+  const Motion at{bed.bodies.data(), bed.spinAhead.data()};
   std::size_t before = 0;  // arrays of earlier blocks
   for (std::size_t b = 0; b < bed.contacts.blocks(); ++b) {
     contacts_.evaluate(bed, b, at, [&](ContactSlots& slots, std::size_t k) -> Tangential {
@@ -107,28 +109,29 @@ void RungeKutta4::evaluate(BedState& bed, std::size_t stage) {
 Vec2 RungeKutta4::acceleration(const BedState& bed, std::size_t i) const {
   const Particles& p = bed.particles;
   Vec2 force = bed.loads[i].force;
-  if (!p.external.empty()) force += p.external[i] - p.drag[i] * at_.velocity[i];
+  if (!p.external.empty()) force += p.external[i] - p.drag[i] * bed.bodies[i].velocity;
   return 1.0 / p.mass * force - Vec2{0.0, bed.gravity};
 }
 
 void RungeKutta4::addRate(const BedState& bed, double weight) {
   const Particles& p = bed.particles;
-  add(sum_.position, weight, at_.velocity);
-  for (std::size_t i = 0; i < p.size(); ++i) sum_.velocity[i] += weight * acceleration(bed, i);
+  for (std::size_t i = 0; i < p.size(); ++i) {
+    sum_.position[i] += weight * bed.bodies[i].velocity;
+    sum_.velocity[i] += weight * acceleration(bed, i);
+  }
   for (std::size_t i = 0; i < p.spin.size(); ++i) sum_.spin[i] += weight / p.inertia * bed.loads[i].torque;
 }
 
 // From the start of the step with the rates of the last stage. Returns the largest distance moved, m.
-double RungeKutta4::moveFromStart(const BedState& bed, double duration) {
+double RungeKutta4::moveFromStart(BedState& bed, double duration) {
   const Particles& p = bed.particles;
-  const double distance = duration * largestNorm(at_.velocity);
+  const double distance = duration * largestNorm(bed.bodies, [](const Body& b) { return b.velocity; });
   for (std::size_t i = 0; i < p.size(); ++i) {
     const Vec2 gain = duration * acceleration(bed, i);
-    at_.position[i] = p.position[i] + duration * at_.velocity[i];
-    at_.velocity[i] = p.velocity[i] + gain;
+    bed.bodies[i] = {p.position[i] + duration * bed.bodies[i].velocity, p.velocity[i] + gain};
   }
   for (std::size_t i = 0; i < p.spin.size(); ++i)
-    at_.spin[i] = p.spin[i] + duration / p.inertia * bed.loads[i].torque;
+    bed.spinAhead[i] = p.spin[i] + duration / p.inertia * bed.loads[i].torque;
   return distance;
 }
 
@@ -161,10 +164,10 @@ double RungeKutta4::finish(BedState& bed) {
 
 bool RungeKutta4::renewLists(BedState& bed) {
   ContactList& lists = bed.contacts;
-  const std::vector<Vec2>& position = bed.particles.position;
-  bed.budget.outer = lists.remainder(lists.displacements({0, bed.particles.size()}, position));
+  bed.placeBodies();
+  bed.budget.outer = lists.remainder(lists.displacements({0, bed.bodies.size()}, bed.bodies));
   if (bed.budget.outer < 0.0) return rebuild(bed);
-  for (std::size_t b = 0; b < lists.blocks(); ++b) lists.refresh(b, position, spare_);
+  for (std::size_t b = 0; b < lists.blocks(); ++b) lists.refresh(b, bed.bodies, spare_);
   bed.budget.inner = lists.fullBudget().inner;
   fitHistory(bed);
   return true;
@@ -173,7 +176,7 @@ bool RungeKutta4::renewLists(BedState& bed) {
 bool RungeKutta4::rebuild(BedState& bed) {
   if (!bed.sort()) return false;
   ContactList& lists = bed.contacts;
-  for (std::size_t b = 0; b < lists.blocks(); ++b) lists.find(b, bed.particles.position, spare_);
+  for (std::size_t b = 0; b < lists.blocks(); ++b) lists.find(b, bed.bodies, spare_);
   lists.link();
   bed.budget = lists.fullBudget();
   fitHistory(bed);

@@ -19,8 +19,8 @@ class RungeKutta4 {
   StepOutcome advance(BedState& bed, std::int64_t steps, double maxOverlap);
 
  private:
-  /// One value a particle of everything that moves, or of its rate of change.
-  struct Values {
+  /// One rate of change a particle of everything that moves.
+  struct Rates {
     std::vector<Vec2> position, velocity;
     std::vector<double> spin;
   };
@@ -36,7 +36,7 @@ class RungeKutta4 {
   void evaluate(BedState& bed, std::size_t stage);
   Vec2 acceleration(const BedState& bed, std::size_t i) const;
   void addRate(const BedState& bed, double weight);
-  double moveFromStart(const BedState& bed, double duration);
+  double moveFromStart(BedState& bed, double duration);
   void growSprings(std::size_t stage, double duration);
   double finish(BedState& bed);
   bool renewLists(BedState& bed);
@@ -44,7 +44,7 @@ class RungeKutta4 {
   void fitHistory(BedState& bed);
 
   ContactForces contacts_;
-  Values at_, sum_;
+  Rates sum_;                     // over the stages
   std::vector<History> history_;  // of each array of contacts, block by block
   ContactSlots spare_;
 };

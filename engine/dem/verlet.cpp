@@ -21,14 +21,22 @@ VelocityVerlet::Member VelocityVerlet::start(const BedState& bed, int index) con
 MotionKernel VelocityVerlet::motion(BedState& bed) const {
   Particles& p = bed.particles;
   const auto orNull = [](auto& values) { return values.empty() ? nullptr : values.data(); };
-  return {bed.step,          bed.gravity,       1.0 / p.mass,     1.0 / p.inertia,
-          p.position.data(), p.velocity.data(), orNull(p.spin),   orNull(p.external),
-          orNull(p.drag),    bed.loads.data(),  bed.ahead.data(), bed.spinAhead.data()};
+  return {.step = bed.step,
+          .gravity = bed.gravity,
+          .perMass = 1.0 / p.mass,
+          .perInertia = 1.0 / p.inertia,
+          .body = bed.bodies.data(),
+          .position = p.position.data(),
+          .velocity = p.velocity.data(),
+          .spin = orNull(p.spin),
+          .external = orNull(p.external),
+          .drag = orNull(p.drag),
+          .loads = bed.loads.data(),
+          .spinAhead = bed.spinAhead.data()};
 }
 
 void VelocityVerlet::begin(BedState& bed) {
-  bed.ahead = bed.particles.velocity;
-  bed.spinAhead = bed.particles.spin;
+  bed.placeBodies();
   bed.team.run([&](int index) {
     Member m = start(bed, index);
     rebuild(bed, m);
@@ -52,8 +60,9 @@ StepOutcome VelocityVerlet::advance(BedState& bed, std::int64_t steps, double ma
     bed.seconds.contacts += m.seconds.contacts;
     bed.seconds.integrate += m.seconds.integrate;
   });
-  if (outcome.finite)
-    for (const double v2 : fastest2_) outcome.finite &= std::isfinite(v2);
+  for (const double v2 : fastest2_) outcome.finite &= std::isfinite(v2);
+  if (outcome.steps < steps || !outcome.finite)
+    for (std::size_t i = 0; i < bed.bodies.size(); ++i) bed.particles.position[i] = bed.bodies[i].position;
   return outcome;
 }
 
@@ -88,7 +97,7 @@ void VelocityVerlet::walk(BedState& bed, Member& m, std::int64_t steps, double m
 }
 
 void VelocityVerlet::evaluate(BedState& bed, std::size_t block, const ContactForces& contacts) const {
-  const Motion at{bed.particles.position.data(), bed.ahead.data(), bed.spinAhead.data()};
+  const Motion at{bed.bodies.data(), bed.spinAhead.data()};
   contacts.evaluate(bed, block, at, [](ContactSlots& slots, std::size_t) { return inPlace(slots); });
 }
 
@@ -97,10 +106,9 @@ bool VelocityVerlet::keepLists(BedState& bed, Member& m) {
   const double fastest2 = *std::max_element(fastest2_.begin(), fastest2_.end());
   if (!std::isfinite(fastest2)) return false;
   m.budget.spend(std::sqrt(fastest2) * bed.step);
-  const std::vector<Vec2>& position = bed.particles.position;
   if (m.budget.outer < 0.0) {
     for (std::size_t b = m.blocks.begin; b < m.blocks.end; ++b)
-      displacements_[b] = bed.contacts.displacements(bed.contacts.block(b).particles, position);
+      displacements_[b] = bed.contacts.displacements(bed.contacts.block(b).particles, bed.bodies);
     bed.team.barrier();
     ContactList::Displacements all;
     for (const ContactList::Displacements& d : displacements_) all.add(d.largest), all.add(d.second);
@@ -109,7 +117,7 @@ bool VelocityVerlet::keepLists(BedState& bed, Member& m) {
   }
   if (m.budget.inner >= 0.0) return true;
   for (std::size_t b = m.blocks.begin; b < m.blocks.end; ++b)
-    bed.contacts.refresh(b, position, spare_[m.index]);
+    bed.contacts.refresh(b, bed.bodies, spare_[m.index]);
   m.budget.inner = bed.contacts.fullBudget().inner;
   return true;
 }
@@ -120,7 +128,7 @@ bool VelocityVerlet::rebuild(BedState& bed, Member& m) {
   bed.team.barrier();
   if (!sorted_) return false;
   for (std::size_t b = m.blocks.begin; b < m.blocks.end; ++b)
-    bed.contacts.find(b, bed.particles.position, spare_[m.index]);
+    bed.contacts.find(b, bed.bodies, spare_[m.index]);
   bed.team.barrier();
   if (m.index == 0) bed.contacts.link();
   bed.team.barrier();

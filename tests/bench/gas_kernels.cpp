@@ -24,7 +24,7 @@ struct CoupledBed {
 
   explicit CoupledBed(Scene s)
       : scene(std::move(s)),
-        gas(scene),
+        gas(scene, team),
         voidage(scene, gas.grid()),
         exchange(scene, gas, voidage, team),
         particles(lattice(scene)) {

@@ -36,7 +36,7 @@ void countParticles(benchmark::State& state) {
 /// Sorts the particles, which are in order from the second time on, and finds candidates.
 bool makeList(BedState& bed, ContactSlots& spare) {
   if (!bed.sort()) return false;
-  for (std::size_t b = 0; b < bed.contacts.blocks(); ++b) bed.contacts.find(b, bed.particles.position, spare);
+  for (std::size_t b = 0; b < bed.contacts.blocks(); ++b) bed.contacts.find(b, bed.bodies, spare);
   bed.contacts.link();
   return true;
 }
@@ -65,8 +65,7 @@ void refreshList(benchmark::State& state, MakeBed make) {
   ContactSlots spare;
   if (!makeList(bed, spare)) return state.SkipWithError("not finite");
   for (auto _ : state)
-    for (std::size_t b = 0; b < bed.contacts.blocks(); ++b)
-      bed.contacts.refresh(b, bed.particles.position, spare);
+    for (std::size_t b = 0; b < bed.contacts.blocks(); ++b) bed.contacts.refresh(b, bed.bodies, spare);
   countParticles(state);
   state.counters["near"] = perParticle(bed, [](const ContactBlock& b) { return b.near.count; });
 }
@@ -76,9 +75,8 @@ void evaluateContacts(benchmark::State& state, MakeBed make) {
   BedState bed(scene, bedOf(make, state.range(0)), bedWalls(scene), oneThread());
   ContactSlots spare;
   if (!makeList(bed, spare)) return state.SkipWithError("not finite");
-  bed.ahead = bed.particles.velocity;
   const ContactForces forces(scene, 0.5 * scene.time.step);
-  const Motion at{bed.particles.position.data(), bed.ahead.data(), bed.spinAhead.data()};
+  const Motion at{bed.bodies.data(), bed.spinAhead.data()};
   for (auto _ : state)
     for (std::size_t b = 0; b < bed.contacts.blocks(); ++b)
       forces.evaluate(bed, b, at, [](ContactSlots& slots, std::size_t) { return inPlace(slots); });

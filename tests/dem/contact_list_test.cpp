@@ -39,7 +39,7 @@ BedState listed(const Scene& scene, const std::vector<Vec2>& cloud,
   BedState bed(scene, makeParticles(scene, cloud), walls, oneThread());
   ContactSlots spare;
   EXPECT_TRUE(bed.sort());
-  for (std::size_t b = 0; b < bed.contacts.blocks(); ++b) bed.contacts.find(b, bed.particles.position, spare);
+  for (std::size_t b = 0; b < bed.contacts.blocks(); ++b) bed.contacts.find(b, bed.bodies, spare);
   bed.contacts.link();
   return bed;
 }
@@ -103,8 +103,7 @@ TEST(ContactList, NearOnesAreThoseWithinTheInnerSkinInAscendingOrder) {
     }
     const ContactSlots& crossing = bed.contacts.block(b).crossing;
     for (std::size_t c = 0; c < crossing.count; ++c)
-      if (norm(bed.particles.position[crossing.first[c]] - bed.particles.position[crossing.second[c]]) <
-          reach)
+      if (norm(bed.bodies[crossing.first[c]].position - bed.bodies[crossing.second[c]].position) < reach)
         insert(near, bed, crossing.first[c], crossing.second[c]);
   }
   EXPECT_EQ(near, closerThan(cloud, reach));
@@ -137,8 +136,10 @@ TEST(ContactList, TwoMayEachMoveByHalfTheSkin) {
   EXPECT_NEAR(budget.outer, 0.2 * half, 1e-12);
   EXPECT_LT(budget.inner, 0.0);
   const auto left = [&](Vec2 first, Vec2 second) {
-    const std::vector<Vec2> position{bed.particles.position[0] + first, bed.particles.position[1] + second};
-    return bed.contacts.remainder(bed.contacts.displacements({0, 2}, position));
+    std::vector<Body> moved = bed.bodies;
+    moved[0].position += first;
+    moved[1].position += second;
+    return bed.contacts.remainder(bed.contacts.displacements({0, 2}, moved));
   };
   EXPECT_NEAR(left({0.2 * half, 0.0}, {}), 1.8 * half, 1e-12);  // one has moved, by less
   EXPECT_NEAR(left({0.3 * half, 0.0}, {0.0, -0.4 * half}), 1.3 * half, 1e-12);
@@ -181,7 +182,7 @@ TEST(ContactList, ANewListAndANewChoiceKeepEveryHistory) {
     // Only contacts have a history, and they are near.
     ContactSlots& s = bed.contacts.block(b).crossing;
     for (std::size_t c = 0; c < s.count; ++c)
-      if (norm(bed.particles.position[s.first[c]] - bed.particles.position[s.second[c]]) < diameter)
+      if (norm(bed.bodies[s.first[c]].position - bed.bodies[s.second[c]].position) < diameter)
         s.spring[c] = rng.uniform(-1.0, 1.0), s.slip[c] = rng.uniform();
   }
   const auto before = contactsOf(bed);
@@ -189,14 +190,12 @@ TEST(ContactList, ANewListAndANewChoiceKeepEveryHistory) {
   ContactSlots spare;
   for (int round = 0; round < 5; ++round) {
     // All move alike, so who touches stays; the box they lie in begins elsewhere, so they are sorted anew.
-    for (Vec2& at : bed.particles.position) at += {0.0003, 0.0};
-    if (round % 2 == 0) bed.particles.position[0] += {-0.0011, 0.0};
+    for (Body& body : bed.bodies) body.position += {0.0003, 0.0};
+    if (round % 2 == 0) bed.bodies[0].position += {-0.0011, 0.0};
     ASSERT_TRUE(bed.sort());
-    for (std::size_t b = 0; b < bed.contacts.blocks(); ++b)
-      bed.contacts.find(b, bed.particles.position, spare);
+    for (std::size_t b = 0; b < bed.contacts.blocks(); ++b) bed.contacts.find(b, bed.bodies, spare);
     bed.contacts.link();
-    for (std::size_t b = 0; b < bed.contacts.blocks(); ++b)
-      bed.contacts.refresh(b, bed.particles.position, spare);
+    for (std::size_t b = 0; b < bed.contacts.blocks(); ++b) bed.contacts.refresh(b, bed.bodies, spare);
     const auto after = contactsOf(bed);
     std::size_t same = 0;
     for (const auto& contact : after) same += std::binary_search(before.begin(), before.end(), contact);
@@ -216,25 +215,25 @@ TEST(ContactList, WanderingPointsNeverTouchUnlisted) {
   int choices = 0;
   for (int step = 0; step < steps; ++step) {
     const double stride = rng.uniform(0.0, 1e-4);
-    for (Vec2& at : bed.particles.position)
-      at += {rng.uniform(-0.7, 0.7) * stride, rng.uniform(-0.7, 0.7) * stride};
+    for (Body& body : bed.bodies)
+      body.position += {rng.uniform(-0.7, 0.7) * stride, rng.uniform(-0.7, 0.7) * stride};
     budget.spend(stride);
     if (budget.outer < 0.0) {
-      budget.outer = bed.contacts.remainder(bed.contacts.displacements({0, 60}, bed.particles.position));
+      budget.outer = bed.contacts.remainder(bed.contacts.displacements({0, 60}, bed.bodies));
       if (budget.outer < 0.0) {
         ASSERT_TRUE(bed.sort());
-        bed.contacts.find(0, bed.particles.position, spare);
+        bed.contacts.find(0, bed.bodies, spare);
         bed.contacts.link();
         budget = bed.contacts.fullBudget();
       }
     }
     if (budget.inner < 0.0) {
-      bed.contacts.refresh(0, bed.particles.position, spare);
+      bed.contacts.refresh(0, bed.bodies, spare);
       budget.inner = bed.contacts.fullBudget().inner;
       ++choices;
     }
     std::vector<Vec2> byId(60);
-    for (int i = 0; i < 60; ++i) byId[bed.particles.id[i]] = bed.particles.position[i];
+    for (int i = 0; i < 60; ++i) byId[bed.particles.id[i]] = bed.bodies[i].position;
     Pairs near;
     const ContactSlots& s = bed.contacts.block(0).near;
     for (std::size_t c = 0; c < s.count; ++c) insert(near, bed, s.first[c], s.second[c]);
@@ -253,7 +252,7 @@ TEST(ContactList, ForcesAreThoseOfAllPairs) {
   BedState bed = listed(scene, cloud);
   const std::size_t n = cloud.size();
   for (std::size_t i = 0; i < n; ++i) {
-    bed.ahead[i] = {rng.uniform(-1.0, 1.0), rng.uniform(-1.0, 1.0)};
+    bed.bodies[i].velocity = {rng.uniform(-1.0, 1.0), rng.uniform(-1.0, 1.0)};
     bed.spinAhead[i] = rng.uniform(-100.0, 100.0);
   }
   struct Before {
@@ -269,8 +268,7 @@ TEST(ContactList, ForcesAreThoseOfAllPairs) {
         pairs.push_back({s->first[c], s->second[c], s->spring[c], &s->spring[c]});
       }
   const ContactForces forces(scene, 0.0);
-  const std::vector<Vec2>& position = bed.particles.position;
-  const Motion at{position.data(), bed.ahead.data(), bed.spinAhead.data()};
+  const Motion at{bed.bodies.data(), bed.spinAhead.data()};
   for (std::size_t b = 0; b < bed.contacts.blocks(); ++b)
     forces.evaluate(bed, b, at, [](ContactSlots& s, std::size_t) { return inPlace(s); });
   for (std::size_t b = 0; b < bed.contacts.blocks(); ++b) ContactForces::addIncoming(bed, b);
@@ -279,13 +277,13 @@ TEST(ContactList, ForcesAreThoseOfAllPairs) {
   std::vector<Load> loads(n);
   int sliding = 0, sticking = 0;
   for (const auto& [i, j, spring, after] : pairs) {
-    const Vec2 apart = position[j] - position[i];
+    const Vec2 apart = bed.bodies[j].position - bed.bodies[i].position;
     if (norm(apart) >= diameter) {
       EXPECT_EQ(*after, 0.0);
       continue;
     }
     const Vec2 normal = (1.0 / norm(apart)) * apart, tangent{-normal.y, normal.x};
-    const Vec2 relative = bed.ahead[i] - bed.ahead[j];
+    const Vec2 relative = bed.bodies[i].velocity - bed.bodies[j].velocity;
     const double push = law.stiffness * (diameter - norm(apart)) + law.damping * dot(relative, normal);
     const double slip = dot(relative, tangent) + 0.002 * (bed.spinAhead[i] + bed.spinAhead[j]);
     double along = -law.tangentialStiffness * spring - law.tangentialDamping * slip;

@@ -15,8 +15,8 @@ constexpr int checkpoints = 4;
 constexpr std::int64_t stepsBetween = 500;
 using Hashes = std::array<std::uint64_t, checkpoints>;
 
-/// Five thousand rough spheres in a box, close packed with gaps and thrown at each other: several blocks, contacts
-/// across them, at walls, and lists made anew.
+/// Five thousand rough spheres in a box, close packed with gaps and thrown at each other: several blocks,
+/// contacts across them, at walls, and lists made anew.
 Hashes advanceCrowd(ThreadTeam& team) {
   Scene scene = smoothSpheres();
   scene.gravity = 9.81;
@@ -28,7 +28,8 @@ Hashes advanceCrowd(ThreadTeam& team) {
     const int row = i / 100, column = i % 100;
     positions.push_back({(0.6 + column + 0.5 * (row % 2)) * spacing, (0.6 + 0.87 * row) * spacing});
   }
-  const auto solver = ParticleSolver::make(scene, makeParticles(scene, positions), closedBox(101.7 * spacing, 0.3), team);
+  const auto solver =
+      ParticleSolver::make(scene, makeParticles(scene, positions), closedBox(101.7 * spacing, 0.3), team);
   Rng rng(4);
   for (Vec2& v : solver->particles().velocity) v = {rng.uniform(-1.5, 1.5), rng.uniform(-1.5, 1.5)};
   Hashes hashes{};
