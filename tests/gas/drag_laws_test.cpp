@@ -1,10 +1,15 @@
 // SPDX-License-Identifier: MIT
 #include "engine/coupling/drag_laws.h"
 
+#include "engine/core/simd.h"
+#include "engine/coupling/power-inl.h"
+
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <numbers>
+#include <vector>
 
 namespace bedmix {
 namespace {
@@ -57,6 +62,45 @@ TEST(DragLaws, FiniteAtZeroSlip) {
       EXPECT_TRUE(std::isfinite(beta(law, eps, 0.0)));
       EXPECT_GT(beta(law, eps, 0.0), 0.0);
     }
+}
+
+TEST(DragLaws, PowersAreThoseOfTheLibraryTo1e14) {
+  namespace here = HWY_NAMESPACE;
+  const here::hn::CappedTag<double, 1> d;
+  const auto power = [&](double x, double exponent) {
+    return here::hn::GetLane(here::power(d, here::hn::Set(d, x), exponent));
+  };
+  double worst = 0.0;
+  for (int k = 0; k <= 200'000; ++k) {
+    const double voidage = 0.15 + 0.85 * k / 200'000;
+    worst = std::max(worst, std::abs(power(voidage, -2.65) / std::pow(voidage, -2.65) - 1.0));
+    const double reynolds = std::pow(10.0, -12.0 + 18.0 * k / 200'000);
+    worst = std::max(worst, std::abs(power(reynolds, 0.687) / std::pow(reynolds, 0.687) - 1.0));
+  }
+  EXPECT_LT(worst, 1e-14);
+  RecordProperty("worst", fmt::format("{:.2g}", worst));
+  EXPECT_EQ(power(0.0, 0.687), 0.0);
+  EXPECT_EQ(power(1e-310, 0.687), 0.0);  // no normal number
+  EXPECT_EQ(power(1.0, -2.65), 1.0);
+}
+
+TEST(DragLaws, SameBitsAloneAndInVectorsAtEverySimdLevel) {
+  std::vector<double> voidage, slip;
+  for (int k = 0; k < 1003; ++k) {
+    voidage.push_back(0.15 + 0.85 * (k * 377 % 1003) / 1002);
+    slip.push_back(15.0 * (k * 131 % 1003) / 1002);
+  }
+  for (DragLaw law : {DragLaw::ergunWenYu, DragLaw::ergunWenYuPrinted, DragLaw::ergun, DragLaw::wenYu}) {
+    std::vector<double> alone(voidage.size()), together(voidage.size());
+    for (std::size_t k = 0; k < voidage.size(); ++k)
+      evaluateDragLaw(law, air, 1, &voidage[k], &slip[k], &alone[k]);
+    for (SimdLevel level : {SimdLevel::baseline, SimdLevel::avx2, SimdLevel::avx512}) {
+      if (!useSimdLevel(level)) continue;
+      evaluateDragLaw(law, air, voidage.size(), voidage.data(), slip.data(), together.data());
+      EXPECT_EQ(together, alone) << modelName(law);
+    }
+    useSimdLevel(bestSimdLevel());
+  }
 }
 
 }  // namespace
