@@ -25,10 +25,11 @@ struct CoupledBed {
   explicit CoupledBed(Scene s)
       : scene(std::move(s)),
         gas(scene, team),
-        voidage(scene, gas.grid()),
+        voidage(scene, gas.grid(), team),
         exchange(scene, gas, voidage, team),
         particles(lattice(scene)) {
-    voidage.update(particles.x, particles.y);
+    particles.addExternalForces();
+    voidage.update(particles.position);
     gas.startWith(voidage.voidage());
   }
   CoupledBed(const CoupledBed&) = delete;
@@ -60,7 +61,7 @@ void countItems(benchmark::State& state, std::size_t itemsOfOne, const char* nam
 
 void updateVoidage(benchmark::State& state) {
   CoupledBed bed(sceneOf(state.range(0), state.range(1)));
-  for (auto _ : state) bed.voidage.update(bed.particles.x, bed.particles.y);
+  for (auto _ : state) bed.voidage.update(bed.particles.position);
   countItems(state, bed.particles.size(), "s/particle");
 }
 
@@ -76,10 +77,10 @@ void evaluateDrag(benchmark::State& state) {
 /// The bed shakes by what a particle of 0.5 m/s moves in a gas step, so that each step has work to do.
 void stepGas(benchmark::State& state) {
   CoupledBed bed(sceneOf(state.range(0), state.range(1)));
-  std::vector<double> raised = bed.particles.y;
-  for (double& y : raised) y += 0.5 * bed.scene.gas->step;
+  std::vector<Vec2> raised = bed.particles.position;
+  for (Vec2& p : raised) p.y += 0.5 * bed.scene.gas->step;
   const std::vector<double> down = bed.voidage.voidage();
-  bed.voidage.update(bed.particles.x, raised);
+  bed.voidage.update(raised);
   const std::vector<double> up = bed.voidage.voidage();
   bed.exchange.evaluateDrag(bed.particles, bed.gas.exchange());
   bool high = false;
