@@ -17,13 +17,13 @@ namespace {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-// Unknowns go four by four, so a vector has at most so many lanes. Then rows of the band and the unknowns they
-// meet begin at multiples of four, and what one block has stored the next one loads as it was stored.
+// Unknowns go four by four, so a vector has at most so many lanes. Then rows of the band and the unknowns
+// they meet begin at multiples of four, and what one block has stored the next one loads as it was stored.
 using Lanes = hn::CappedTag<double, 4>;
 
 /// to[begin, end) -= sum over four rows of factor * row, one after the other.
-HWY_INLINE void subtractRows(const double* factors, std::size_t factorStep, const double* rows, std::size_t length,
-                             double* to, std::size_t begin, std::size_t end) {
+HWY_INLINE void subtractRows(const double* factors, std::size_t factorStep, const double* rows,
+                             std::size_t length, double* to, std::size_t begin, std::size_t end) {
   const Lanes d;
   const auto f0 = hn::Set(d, factors[0]), f1 = hn::Set(d, factors[factorStep]);
   const auto f2 = hn::Set(d, factors[2 * factorStep]), f3 = hn::Set(d, factors[3 * factorStep]);
@@ -66,7 +66,8 @@ bool factorize(double* band, double* perPivot, double* scaled, std::size_t block
       for (std::size_t m = q + 1; m < 4; ++m) {
         const auto f = hn::Set(d, scaled[q * length + m]);
         for (std::size_t t = 0; t < length; t += hn::Lanes(d))
-          hn::StoreU(hn::LoadU(d, rows + m * length + t) - f * hn::LoadU(d, row + t), d, rows + m * length + t);
+          hn::StoreU(hn::LoadU(d, rows + m * length + t) - f * hn::LoadU(d, row + t), d,
+                     rows + m * length + t);
       }
     }
     // The rows behind this block that it is coupled with.
@@ -79,7 +80,8 @@ bool factorize(double* band, double* perPivot, double* scaled, std::size_t block
   return sound;
 }
 
-void substitute(const double* band, const double* perPivot, double* x, std::size_t blocks, std::size_t length) {
+void substitute(const double* band, const double* perPivot, double* x, std::size_t blocks,
+                std::size_t length) {
   for (std::size_t block = 0; block < blocks; ++block) {
     const double *r0 = band + 4 * block * length, *r1 = r0 + length, *r2 = r1 + length;
     double* y = x + 4 * block;
@@ -140,8 +142,8 @@ bool BandSolver::prepare(const std::vector<double>& conductance) {
       if (i + 1 < l.columns) diagonal[columnStep_] = -west[c + 1];
       if (j + 1 < l.rows) diagonal[rowStep_] = -south[c + l.stride];
     }
-  return HWY_DYNAMIC_DISPATCH(factorize)
-  (band_.data(), perPivot_.data(), scaled_.data(), blocks_, width_, rowLength_);
+  return HWY_DYNAMIC_DISPATCH(factorize)(band_.data(), perPivot_.data(), scaled_.data(), blocks_, width_,
+                                         rowLength_);
 }
 
 void BandSolver::solve(const std::vector<double>& b, std::vector<double>& p) {

@@ -9,8 +9,8 @@
 namespace bedmix {
 
 /// Factorizes the pressure system (see PressureSolver), A = L D L^T, as a band: cells are numbered along the
-/// grid's short side first, whose length is the band's width. Blocked cells stay in as equations of their own.
-/// Costs cells x width^2.
+/// grid's short side first, whose length is the band's width. Blocked cells stay in as equations of their
+/// own. Costs cells x width^2.
 class BandSolver {
  public:
   explicit BandSolver(const FaceLayout& layout);

@@ -73,7 +73,8 @@ struct FaceLayout {
   int at(int i, int j) const { return (j + 1) * stride + i; }
   /// Of a frame, what lies in these rows.
   Range places(Range mine) const {
-    return {(mine.begin + 1) * static_cast<std::size_t>(stride), (mine.end + 1) * static_cast<std::size_t>(stride)};
+    return {(mine.begin + 1) * static_cast<std::size_t>(stride),
+            (mine.end + 1) * static_cast<std::size_t>(stride)};
   }
   int uFace(int i, int j) const { return at(i, j); }
   int vFace(int i, int j) const { return size + at(i, j); }

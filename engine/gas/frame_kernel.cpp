@@ -57,6 +57,17 @@ double largestSize(const double* a, Range places) {
   return all;
 }
 
+void findImbalance(const FaceFlow& upright, const FaceFlow& level, std::ptrdiff_t stride,
+                   const double* growth, const double* open, double* b, Range places) {
+  const auto flux = [](const FaceFlow& f, std::ptrdiff_t c)
+                        HWY_ATTR { return f.voidage[c] * f.velocity[c] * f.area[c]; };
+  const FaceFlow u = upright, v = level;
+  BEDMIX_PLACES(c) {
+    const double gain = flux(u, c) - flux(u, c + 1) + flux(v, c) - flux(v, c + stride) - growth[c];
+    b[c] = open[c] > 0.0 ? gain : 0.0;
+  }
+}
+
 double apply(const FrameOperator& a, const double* x, double* image, Range places) {
   const double *west = a.west, *south = a.south;
   const std::ptrdiff_t n = a.stride;
@@ -91,6 +102,7 @@ namespace bedmix {
 HWY_EXPORT(apply);
 HWY_EXPORT(advance);
 HWY_EXPORT(turn);
+HWY_EXPORT(findImbalance);
 HWY_EXPORT(product);
 HWY_EXPORT(total);
 HWY_EXPORT(largestSize);
@@ -104,6 +116,10 @@ double advance(double length, const double* direction, const double* image, doub
 }
 void turn(double share, const float* z, double* direction, Range places) {
   HWY_DYNAMIC_DISPATCH(turn)(share, z, direction, places);
+}
+void findImbalance(const FaceFlow& upright, const FaceFlow& level, std::ptrdiff_t stride,
+                   const double* growth, const double* open, double* b, Range places) {
+  HWY_DYNAMIC_DISPATCH(findImbalance)(upright, level, stride, growth, open, b, places);
 }
 double product(const double* a, const float* b, Range places) {
   return HWY_DYNAMIC_DISPATCH(product)(a, b, places);

@@ -7,9 +7,9 @@
 
 namespace bedmix {
 
-// Conjugate gradients' loops over frames as FaceLayout has them, in vectors.
+// Loops over frames as FaceLayout has them, in vectors.
 
-/// The pressure system's matrix A: conductance to the place before and to the one below.
+/// The pressure system's matrix: conductance to the place before and to the one below.
 struct FrameOperator {
   const double *west = nullptr, *south = nullptr;
   std::ptrdiff_t stride = 0;  // from row to row
@@ -23,6 +23,14 @@ double advance(double length, const double* direction, const double* image, doub
                float* single, Range places);
 /// direction = z + share * direction
 void turn(double share, const float* z, double* direction, Range places);
+
+/// Cells of a staggered grid: what flows in through upright and level faces, each frame with its velocity,
+/// voidage and area, less what the voids grow by; 0 where `open` is.
+struct FaceFlow {
+  const double *velocity = nullptr, *voidage = nullptr, *area = nullptr;
+};
+void findImbalance(const FaceFlow& upright, const FaceFlow& level, std::ptrdiff_t stride,
+                   const double* growth, const double* open, double* b, Range places);
 
 // Sums are taken in an order of their own, eight partial ones whatever a vector holds.
 

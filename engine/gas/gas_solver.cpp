@@ -112,16 +112,13 @@ void GasSolver::takeVoidage(Member& member, const std::vector<double>& voidage) 
 }
 
 void GasSolver::updateImbalance(Member& member) {
-  const Range mine = layout_.places(member.share(layout_.rows));
-  const double *eps = faceVoidage_.data(), *u = fields_.velocity.data(), *area = layout_.faceArea.data();
-  const double *open = layout_.open.data(), *growth = growth_.data();
-  double* b = imbalance_.data();
-  const auto level = static_cast<std::size_t>(layout_.size), stride = static_cast<std::size_t>(layout_.stride);
-  const auto flux = [=](std::size_t f) { return eps[f] * u[f] * area[f]; };
-  for (std::size_t c = mine.begin; c < mine.end; ++c) {
-    const double gain = flux(c) - flux(c + 1) + flux(level + c) - flux(level + c + stride) - growth[c];
-    b[c] = open[c] > 0.0 ? gain : 0.0;
-  }
+  const auto flow = [this](const FaceFamily& family) {
+    return FaceFlow{&fields_.velocity[family.first], &faceVoidage_[family.first],
+                    &layout_.faceArea[family.first]};
+  };
+  const auto& [upright, level] = layout_.families;
+  findImbalance(flow(upright), flow(level), layout_.stride, growth_.data(), layout_.open.data(),
+                imbalance_.data(), layout_.places(member.share(layout_.rows)));
 }
 
 double GasSolver::massResidual(Member& member) {

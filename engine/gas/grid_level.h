@@ -8,8 +8,8 @@
 
 namespace bedmix {
 
-/// Cells in one direction of a multigrid level, and how they came from those of the finer one. Entry i of what
-/// belongs to a face is that between i - 1 and i.
+/// Cells in one direction of a multigrid level, and how they came from those of the finer one. Entry i of
+/// what belongs to a face is that between i - 1 and i.
 struct LevelAxis {
   std::vector<double> size;         // m
   bool joined = false;              // two by two
@@ -28,8 +28,8 @@ struct LevelAxis {
 struct GridLevel {
   LevelAxis across, up;
   int columns, rows, stride;
-  std::vector<float> west, south;    // coupling to the cell at the left, below; zero pressure above the top
-  std::vector<float> perDiagonal;    // 0 in blocked cells
+  std::vector<float> west, south;     // coupling to the cell at the left, below; zero pressure above the top
+  std::vector<float> perDiagonal;     // 0 in blocked cells
   std::vector<float> b, smoothed, x;  // right-hand side; after descend(); after ascend()
   std::vector<float> toWest, toEast, toSouth, toNorth;  // the neighbours' shares in the finer grid's cells
 

@@ -55,9 +55,10 @@ HWY_INLINE void relaxTwice(const Row& r, int stride, float* to) {
 #pragma GCC ivdep
   for (int i = 0; i < r.n; ++i) {
     const float own = d[i] * b[i];
-    const float flow = (r.west[i] * (own - d[i - 1] * b[i - 1]) + r.west[i + 1] * (own - d[i + 1] * b[i + 1])) +
-                       (r.south[i] * (own - d[i - stride] * b[i - stride]) +
-                        r.north[i] * (own - d[i + stride] * b[i + stride]));
+    const float flow =
+        (r.west[i] * (own - d[i - 1] * b[i - 1]) + r.west[i + 1] * (own - d[i + 1] * b[i + 1])) +
+        (r.south[i] * (own - d[i - stride] * b[i - stride]) +
+         r.north[i] * (own - d[i + stride] * b[i + stride]));
     to[i] = firstDamping * own + secondDamping * d[i] * (b[i] - firstDamping * flow);
   }
 }
@@ -67,7 +68,8 @@ HWY_INLINE float residual(const Row& r, const float* below, const float* own, co
                    (r.south[i] * (own[i] - below[i]) + r.north[i] * (own[i] - above[i])));
 }
 
-HWY_INLINE void findResidual(const Row& r, const float* below, const float* own, const float* above, float* to) {
+HWY_INLINE void findResidual(const Row& r, const float* below, const float* own, const float* above,
+                             float* to) {
 #pragma GCC ivdep
   for (int i = 0; i < r.n; ++i) to[i] = residual(r, below, own, above, i);
 }
@@ -83,7 +85,8 @@ HWY_INLINE void relax(const Row& r, const float* below, const float* own, const 
 HWY_INLINE void restrict(const GridLevel& coarse, int row, const float* below, const float* lower,
                          const float* upper, const float* above, float* to) {
   const int c = coarse.at(0, row), n = coarse.stride;
-  const float *w = &coarse.toWest[c], *e = &coarse.toEast[c], *s = &coarse.toSouth[c], *t = &coarse.toNorth[c];
+  const float *w = &coarse.toWest[c], *e = &coarse.toEast[c], *s = &coarse.toSouth[c],
+              *t = &coarse.toNorth[c];
   if (!coarse.across.joined) {
 #pragma GCC ivdep
     for (int i = 0; i < coarse.columns; ++i)
@@ -103,7 +106,8 @@ HWY_INLINE void restrict(const GridLevel& coarse, int row, const float* below, c
 }
 
 /// x plus the coarse correction interpolated to one of the fine rows of a coarse one.
-HWY_INLINE void prolong(const GridLevel& coarse, int row, bool upper, const float* x, int fineColumns, float* to) {
+HWY_INLINE void prolong(const GridLevel& coarse, int row, bool upper, const float* x, int fineColumns,
+                        float* to) {
   const int c = coarse.at(0, row);
   const float* own = &coarse.x[c];
   const float* beside = upper ? own + coarse.stride : own - coarse.stride;
@@ -114,8 +118,9 @@ HWY_INLINE void prolong(const GridLevel& coarse, int row, bool upper, const floa
     return;
   }
   const float *w = &coarse.toWest[c], *e = &coarse.toEast[c];
-  const auto correction = [=](int i, float side, float other)
-                              HWY_ATTR { return own[i] + share[i] * (beside[i] - own[i]) + side * (other - own[i]); };
+  const auto correction = [=](int i, float side, float other) HWY_ATTR {
+    return own[i] + share[i] * (beside[i] - own[i]) + side * (other - own[i]);
+  };
 #pragma GCC ivdep
   for (int i = 0; i < fineColumns / 2; ++i) {
     to[2 * i] = x[2 * i] + correction(i, w[i], own[i - 1]);
@@ -174,12 +179,14 @@ void ascend(GridLevel& fine, const GridLevel& coarse, Range coarseRows, float* s
     if (done < begin - 1) continue;
     float* const first = once.start(done);
     if (inside(done))
-      relax(rowOf(fine, done), corrected[done - 1], corrected[done], corrected[done + 1], secondDamping, first);
+      relax(rowOf(fine, done), corrected[done - 1], corrected[done], corrected[done + 1], secondDamping,
+            first);
     else
       std::fill(first, first + fine.columns, 0.0f);
     const int last = row - 2;
     if (last >= begin)
-      relax(rowOf(fine, last), once[last - 1], once[last], once[last + 1], firstDamping, &fine.x[fine.at(0, last)]);
+      relax(rowOf(fine, last), once[last - 1], once[last], once[last + 1], firstDamping,
+            &fine.x[fine.at(0, last)]);
   }
 }
 

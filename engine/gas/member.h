@@ -56,7 +56,8 @@ class RowReduction {
   Value overShares(Member& member, const Value& found, Join&& join) {
     std::vector<Value>& parts = parts_[member.nextTurn()];
     const Range mine = member.share(static_cast<int>(parts.size()));
-    for (std::size_t row = mine.begin; row < mine.end; ++row) parts[row] = row == mine.begin ? found : Value{};
+    for (std::size_t row = mine.begin; row < mine.end; ++row)
+      parts[row] = row == mine.begin ? found : Value{};
     return joined(member, parts, join);
   }
 

@@ -8,8 +8,8 @@ namespace bedmix {
 
 namespace {
 
-// Of the largest velocity, change per sweep. A step changes velocities by a percent or more and is itself exact
-// to some 1e-4; the pressure correction closes continuity whatever is left.
+// Of the largest velocity, change per sweep. A step changes velocities by a percent or more and is itself
+// exact to some 1e-4; the pressure correction closes continuity whatever is left.
 constexpr double sweepTolerance = 1e-6;
 constexpr int mostSweeps = 200;
 
@@ -31,8 +31,8 @@ MomentumSystem::MomentumSystem(const Scene& scene, const FaceLayout& layout)
   kernel_.wall = layout.wall.data();
   kernel_.alongSide = layout.alongSide.data();
   kernel_.acrossSide = layout.acrossSide.data();
-  double** const fields[] = {&kernel_.flux,  &kernel_.inertia, &kernel_.oldPart, &kernel_.before,
-                             &kernel_.behind, &kernel_.below,   &kernel_.above,   &kernel_.rhs,
+  double** const fields[] = {&kernel_.flux,        &kernel_.inertia, &kernel_.oldPart, &kernel_.before,
+                             &kernel_.behind,      &kernel_.below,   &kernel_.above,   &kernel_.rhs,
                              &kernel_.perDiagonal, &kernel_.pull};
   for (std::size_t i = 0; i < fields_.size(); ++i) {
     fields_[i].assign(spare_.size(), 0.0);
@@ -73,8 +73,8 @@ void MomentumSystem::assemble(Member& member, const std::vector<double>& velocit
   updateSides(member, velocity, voidage, theta_);
   const auto& [upright, level] = layout_.families;
   for (const FaceFamily& family : layout_.families)
-    kernel_.assemble(family, theta_ * viscosity_, &family == &level ? density_ * gravity_ : 0.0, voidage.data(),
-                     pressure.data(), exchange.coefficient.data(), exchange.source.data(),
+    kernel_.assemble(family, theta_ * viscosity_, &family == &level ? density_ * gravity_ : 0.0,
+                     voidage.data(), pressure.data(), exchange.coefficient.data(), exchange.source.data(),
                      faces(member, family));
   // What enters at the floor is given.
   const Range mine = faces(member, level);
@@ -107,15 +107,17 @@ double MomentumSystem::residual(Member& member, const std::vector<double>& veloc
       for (int f = first; f < first + layout_.columns; ++f) {
         if (layout_.solved[f] == 0.0) continue;
         const double own = velocity[f] / k.perDiagonal[f];
-        sum.a += std::abs(k.rhs[f] + k.before[f] * velocity[f - family.along] +
-                          k.behind[f] * velocity[f + family.along] + k.below[f] * velocity[f - family.across] +
-                          k.above[f] * velocity[f + family.across] - own);
+        sum.a += std::abs(
+            k.rhs[f] + k.before[f] * velocity[f - family.along] + k.behind[f] * velocity[f + family.along] +
+            k.below[f] * velocity[f - family.across] + k.above[f] * velocity[f + family.across] - own);
         sum.b += std::abs(own);
       }
     }
     return sum;
   };
-  const Pair all = reduction_.overRows(member, ofRow, [](Pair x, Pair y) { return Pair{x.a + y.a, x.b + y.b}; });
+  const Pair all = reduction_.overRows(member, ofRow, [](Pair x, Pair y) {
+    return Pair{x.a + y.a, x.b + y.b};
+  });
   return all.b > 0.0 ? all.a / all.b : all.a;
 }
 

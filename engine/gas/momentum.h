@@ -37,8 +37,8 @@ class MomentumSystem {
   /// moderate; each sweep then gains a digit and more.
   void solve(Member& member, std::vector<double>& velocity);
 
-  /// Conductances of the faces for the pressure's equations: volume flux per pressure difference, m3/(s Pa), 0
-  /// where nothing is solved.
+  /// Conductances of the faces for the pressure's equations: volume flux per pressure difference, m3/(s Pa),
+  /// 0 where nothing is solved.
   void conductances(Member& member, std::vector<double>& conductance) const;
   /// Adds what a change of pressure does to the velocity by itself; writes that change.
   void correct(Member& member, const std::vector<double>& pressure, std::vector<double>& change,
@@ -56,8 +56,8 @@ class MomentumSystem {
 
   const FaceLayout& layout_;
   double density_, viscosity_, step_, theta_, gravity_;
-  std::vector<double> spare_, zero_;                // velocities
-  std::array<std::vector<double>, 10> fields_;      // the kernel's
+  std::vector<double> spare_, zero_;            // velocities
+  std::array<std::vector<double>, 10> fields_;  // the kernel's
   MomentumKernel kernel_;
   struct Pair {
     double a = 0.0, b = 0.0;

@@ -80,8 +80,7 @@ void assemble(const MomentumKernel& k, const FaceFamily& family, double friction
   const double *before = k.before, *behind = k.behind, *below = k.below, *above = k.above;
   double *rhs = k.rhs, *perDiagonal = k.perDiagonal, *pull = k.pull;
   BEDMIX_FACES(f) {
-    const double sides =
-        (before[f] + behind[f]) + (below[f] + above[f]) + friction * voidage[f] * wall[f];
+    const double sides = (before[f] + behind[f]) + (below[f] + above[f]) + friction * voidage[f] * wall[f];
     pull[f] = voidage[f] * area[f] * solved[f];
     perDiagonal[f] = solved[f] / (inertia[f] + sides + coefficient[f]);
     rhs[f] = oldPart[f] + source[f] - weight * voidage[f] * volume[f] + pull[f] * (p[f - along] - p[f]);
@@ -153,8 +152,8 @@ void MomentumKernel::updateFlux(double density, const double* velocity, const do
                                 Range faces) const {
   HWY_DYNAMIC_DISPATCH(updateFlux)(*this, density, velocity, voidage, faces);
 }
-void MomentumKernel::updateSides(const FaceFamily& family, std::ptrdiff_t other, double viscosity, double share,
-                                 const double* voidage, Range faces) const {
+void MomentumKernel::updateSides(const FaceFamily& family, std::ptrdiff_t other, double viscosity,
+                                 double share, const double* voidage, Range faces) const {
   HWY_DYNAMIC_DISPATCH(updateSides)(*this, family, other, viscosity, share, voidage, faces);
 }
 void MomentumKernel::setOldLevel(const FaceFamily& family, double densityPerStep, double friction,

@@ -33,7 +33,8 @@ struct MomentumKernel {
   void assemble(const FaceFamily& family, double friction, double weight, const double* voidage,
                 const double* pressure, const double* coefficient, const double* source, Range faces) const;
   void sweep(const FaceFamily& family, const double* from, double* to, Range faces) const;
-  void addNeighbourEffect(const FaceFamily& family, const double* change, double* velocity, Range faces) const;
+  void addNeighbourEffect(const FaceFamily& family, const double* change, double* velocity,
+                          Range faces) const;
   /// Writes the change of velocity that a change of pressure, a frame, makes by itself, and adds it.
   void correct(const FaceFamily& family, const double* pressure, double* change, double* velocity,
                Range faces) const;

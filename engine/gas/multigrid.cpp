@@ -28,7 +28,8 @@ void Multigrid::prepare(Member& member, const std::vector<double>& conductance) 
   GridLevel& finest = levels_.front();
   const std::size_t frame = conductance.size() / 2;
   const Range rows = member.share(finest.rows + 1);  // the outlet's stand above the last row
-  for (int c = finest.at(0, static_cast<int>(rows.begin)); c < finest.at(0, static_cast<int>(rows.end)); ++c) {
+  for (int c = finest.at(0, static_cast<int>(rows.begin)); c < finest.at(0, static_cast<int>(rows.end));
+       ++c) {
     finest.west[c] = static_cast<float>(conductance[c]);
     finest.south[c] = static_cast<float>(conductance[frame + static_cast<std::size_t>(c)]);
   }

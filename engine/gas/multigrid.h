@@ -35,7 +35,7 @@ class Multigrid {
   void prepareFrom(Member& member, std::size_t level);
   void cycle(Member& member, std::size_t level);
 
-  std::vector<GridLevel> levels_;           // finest first, one cell last
+  std::vector<GridLevel> levels_;            // finest first, one cell last
   std::vector<std::vector<float>> scratch_;  // per member
 };
 

@@ -10,8 +10,8 @@ namespace bedmix {
 
 namespace {
 
-// Where a band is factorized: cells along the short side, for width^2 is what it costs, and cells, for it keeps
-// one thread busy only.
+// Where a band is factorized: cells along the short side, for width^2 is what it costs, and cells, for it
+// keeps one thread busy only.
 constexpr int widestDirect = 16, largestDirect = 4096;
 constexpr int mostIterations = 200;
 
@@ -22,7 +22,8 @@ PressureSolver::Iteration::Iteration(const FaceLayout& layout, int members) : mu
     field->assign(static_cast<std::size_t>(layout.size), 0.0);
 }
 
-PressureSolver::PressureSolver(const FaceLayout& layout, int members) : layout_(layout), reduction_(layout.rows) {
+PressureSolver::PressureSolver(const FaceLayout& layout, int members)
+    : layout_(layout), reduction_(layout.rows) {
   if (std::min(layout.columns, layout.rows) <= widestDirect && layout.columns * layout.rows < largestDirect)
     band_.emplace(layout);
   else
@@ -48,7 +49,7 @@ bool PressureSolver::prepare(Member& member, const std::vector<double>& conducta
     member.wait();
     return sound_;
   }
-  conductance_ = &conductance;
+  if (member.first()) conductance_ = &conductance;
   iteration_->multigrid.prepare(member, conductance);
   const double *west = conductance.data(), *south = west + layout_.size;
   const double all = sum(member, [=](Range row) { return total(west, row) + total(south, row); });
