@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: MIT
+#include "engine/core/simd.h"
 #include "engine/dem/packing.h"
 #include "engine/simulation.h"
 #include "engine/worker.h"
 #include "tests/gas/gas_scenes.h"
 
 #include <gtest/gtest.h>
+
+#include <vector>
 
 namespace bedmix {
 namespace {
@@ -26,21 +29,48 @@ TEST(Determinism, TwoSimulationsAgreeStepByStep) {
   }
 }
 
-TEST(Determinism, ThreadsDoNotMatterWhereThereIsWorkForThem) {
-  Scene scene = test::paperScene(2.6);  // large enough that the helpers are really called
+/// A bed so large that threads are really used, in a gas grid that is solved by many iterations; heavy, so
+/// that it falls into contact at once.
+Scene largeScene() {
+  Scene scene = test::paperScene(2.6);
   scene.bed.width = 0.48;
-  scene.bed.height = 0.84;
+  scene.bed.height = 1.32;
+  scene.gravity = 200.0;
+  scene.limits.maxOverlap = 0.4;
   scene.particles.count = 9000;
   scene.gas->grid.columns = {{40, 0.012}};
-  scene.gas->grid.rows = {{70, 0.012}};
+  scene.gas->grid.rows = {{110, 0.012}};
   scene.start.arrangement = Arrangement::drop;
-  Simulation one = test::simulate(scene, 1);
-  ASSERT_EQ(one.advance(200), std::nullopt);
-  for (int threads : {2, 3, 4}) {
-    Simulation many = test::simulate(scene, threads);
-    ASSERT_EQ(many.advance(200), std::nullopt);
-    ASSERT_EQ(many.stateHash(), one.stateHash()) << threads << " threads";
+  return scene;
+}
+
+/// State hashes at 500, 1,000, 1,500 and 2,000 steps.
+std::vector<std::uint64_t> checkpoints(const Scene& scene, int threads) {
+  Simulation simulation = test::simulate(scene, threads);
+  std::vector<std::uint64_t> hashes;
+  for (int checkpoint = 0; checkpoint < 4; ++checkpoint) {
+    EXPECT_EQ(simulation.advance(500), std::nullopt);
+    hashes.push_back(simulation.stateHash());
   }
+  EXPECT_GT(simulation.contacts(), 1000);
+  return hashes;
+}
+
+TEST(Determinism, ThreadsChangeNoBitOfTwoThousandSteps) {
+  const std::vector<std::uint64_t> one = checkpoints(largeScene(), 1);
+  for (const int threads : {2, 3, 4, 8})
+    EXPECT_EQ(checkpoints(largeScene(), threads), one) << threads << " threads";
+}
+
+TEST(Determinism, SimdLevelsChangeNoBitOfTwoThousandSteps) {
+  const SimdLevel before = simdLevel();
+  ASSERT_TRUE(useSimdLevel(SimdLevel::baseline));
+  const std::vector<std::uint64_t> baseline = checkpoints(largeScene(), 1);
+  for (const SimdLevel level : {SimdLevel::avx2, SimdLevel::avx512})
+    if (useSimdLevel(level)) {
+      EXPECT_EQ(checkpoints(largeScene(), 2), baseline) << simdLevelNames()[static_cast<std::size_t>(level)];
+    }
+  ASSERT_TRUE(useSimdLevel(before));
 }
 
 TEST(Determinism, AStartOfOnesOwnIsAStartLikeAnyOther) {
