@@ -30,10 +30,10 @@ Scene bedScene(std::int64_t particles) {
   return scene;
 }
 
-Scene gasScene(std::int64_t particles) {
+Scene gasScene(std::int64_t particles, std::int64_t columns) {
   Scene scene = bedScene(particles);
   scene.gas.emplace();
-  scene.gas->grid.columns = {{8 * particles / 1000, 0.012}};
+  scene.gas->grid.columns = {{columns * particles / 1000, 0.096 / static_cast<double>(columns)}};
   scene.gas->grid.rows = {{15, 0.012}, {12, 0.020}};
   scene.gas->inlets = {{0.0, scene.bed.width, std::nullopt, 2.0}};
   return scene;
@@ -91,6 +91,7 @@ Result<Particles> readBed(const std::string& path, std::int64_t tiles) {
     velocities.push_back(velocities[i - one]);
   }
   Particles bed = makeParticles(bedScene(static_cast<std::int64_t>(all)), positions);
+  velocities.shrink_to_fit();
   bed.velocity = std::move(velocities);
   return bed;
 }

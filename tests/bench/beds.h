@@ -14,8 +14,9 @@ namespace bedmix::bench {
 /// 0.015 kg/s (restitution 0.9) normal and tangential, in a bed that grows in width only, 0.096 m a thousand.
 Scene bedScene(std::int64_t particles);
 
-/// The same with the paper's cells of gas, 2 u_mf over the whole floor.
-Scene gasScene(std::int64_t particles);
+/// The same with gas, 2 u_mf over the whole floor, in the paper's 27 rows of cells and so many columns a
+/// thousand particles; the paper has 8.
+Scene gasScene(std::int64_t particles, std::int64_t columns = 8);
 
 /// A thousand settled spheres side by side with themselves; `particles` is a multiple of 1,000. About 1.9
 /// contacts a particle.

@@ -26,7 +26,7 @@ namespace {
 struct Options {
   std::vector<std::string> inputs;
   std::int64_t relax = 500, steps = 1000, tiles = 1;  // of states
-  bool gas = false;                                   // likewise
+  std::int64_t gasColumns = 0;                        // a thousand particles, likewise
   double seconds = 1.0;                               // of scenes
   int threads = 1, repeats = 3;
 };
@@ -77,7 +77,7 @@ Result<Run> runState(const std::string& path, const Options& options) {
   Result<Particles> start = readBed(path, options.tiles);
   if (!start) return start.problems;
   const auto particles = static_cast<std::int64_t>(start->size());
-  const Scene scene = options.gas ? gasScene(particles) : bedScene(particles);
+  const Scene scene = options.gasColumns > 0 ? gasScene(particles, options.gasColumns) : bedScene(particles);
   forgetPeakMemory();  // reading takes more than the bed
   Simulation simulation = Simulation::make(scene, std::move(*start), options.threads);
   return measure(simulation, scene, options.relax, options.steps, before);
@@ -113,7 +113,8 @@ std::string row(const std::string& input, const Options& options, const std::vec
   };
   std::string name = std::filesystem::path(input).stem().string();
   if (!isScene(input))
-    name += (options.tiles > 1 ? fmt::format("x{}", options.tiles) : "") + (options.gas ? "-gas" : "");
+    name += (options.tiles > 1 ? fmt::format("x{}", options.tiles) : "") +
+            (options.gasColumns > 0 ? fmt::format("-gas{}", options.gasColumns) : "");
   const double wall = medianOf([](const Run& run) { return run.wallSeconds; });
   std::string text =
       fmt::format("{},{},{},{},{},{},{:.3f},{:.2f}", name, one.particles, options.threads,
@@ -159,7 +160,9 @@ int main(int argc, char** argv) {
       ->check(CLI::NonNegativeNumber);
   app.add_option("--steps", options.steps, "measured steps of a state")->check(CLI::PositiveNumber);
   app.add_option("--tile", options.tiles, "a state so many times side by side")->check(CLI::PositiveNumber);
-  app.add_flag("--gas", options.gas, "a state with gas, 8 columns of 27 cells a thousand particles, 2 u_mf");
+  app.add_option("--gas", options.gasColumns,
+                 "a state with gas at 2 u_mf, so many columns of 27 cells a thousand particles")
+      ->check(CLI::PositiveNumber);
   app.add_option("--seconds", options.seconds, "measured time of a scene")->check(CLI::PositiveNumber);
   app.add_option("--threads", options.threads)->check(CLI::PositiveNumber);
   app.add_option("--simd", simd, "baseline, avx2 or avx512; the best there is by default");

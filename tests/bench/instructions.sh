@@ -23,7 +23,7 @@ count() { # NAME SIMD STEPS BENCH_RUN-OPTIONS...
 for simd in baseline avx2; do
   for steps in $short $long; do
     count packed "$simd" "$steps" packed.txt &
-    count fluidized "$simd" "$steps" fluidized.txt --gas &
+    count fluidized "$simd" "$steps" fluidized.txt --gas 8 &
   done
 done
 wait
