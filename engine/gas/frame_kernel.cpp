@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "engine/gas/frame_kernel.h"
 
-#include <cmath>
+#include <algorithm>
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "engine/gas/frame_kernel.cpp"
@@ -46,15 +46,26 @@ double total(const double* a, Range places) {
   return sum(places, [=](std::size_t c) HWY_ATTR { return a[c]; });
 }
 
-double largestSize(const double* a, Range places) {
+/// Largest magnitude of term(d, place), a vector.
+template <class Term>
+HWY_INLINE double largest(Range places, const Term& term) {
   const hn::ScalableTag<double> d;
-  auto largest = hn::Zero(d);
+  const hn::CappedTag<double, 1> one;
+  auto sizes = hn::Zero(d);
   std::size_t c = places.begin;
-  for (; c + hn::Lanes(d) <= places.end; c += hn::Lanes(d))
-    largest = hn::Max(largest, hn::Abs(hn::LoadU(d, a + c)));
-  double all = hn::GetLane(hn::MaxOfLanes(d, largest));
-  for (; c < places.end; ++c) all = std::abs(a[c]) > all ? std::abs(a[c]) : all;
+  for (; c + hn::Lanes(d) <= places.end; c += hn::Lanes(d)) sizes = hn::Max(sizes, hn::Abs(term(d, c)));
+  double all = hn::GetLane(hn::MaxOfLanes(d, sizes));
+  for (; c < places.end; ++c) all = std::max(all, hn::GetLane(hn::Abs(term(one, c))));
   return all;
+}
+
+double largestSize(const double* a, Range places) {
+  return largest(places, [=](auto d, std::size_t c) HWY_ATTR { return hn::LoadU(d, a + c); });
+}
+
+double largestDifference(const double* a, const double* b, Range places) {
+  return largest(places,
+                 [=](auto d, std::size_t c) HWY_ATTR { return hn::LoadU(d, a + c) - hn::LoadU(d, b + c); });
 }
 
 void findImbalance(const FaceFlow& upright, const FaceFlow& level, std::ptrdiff_t stride,
@@ -106,6 +117,7 @@ HWY_EXPORT(findImbalance);
 HWY_EXPORT(product);
 HWY_EXPORT(total);
 HWY_EXPORT(largestSize);
+HWY_EXPORT(largestDifference);
 
 double apply(const FrameOperator& a, const double* x, double* image, Range places) {
   return HWY_DYNAMIC_DISPATCH(apply)(a, x, image, places);
@@ -126,6 +138,9 @@ double product(const double* a, const float* b, Range places) {
 }
 double total(const double* a, Range places) { return HWY_DYNAMIC_DISPATCH(total)(a, places); }
 double largestSize(const double* a, Range places) { return HWY_DYNAMIC_DISPATCH(largestSize)(a, places); }
+double largestDifference(const double* a, const double* b, Range places) {
+  return HWY_DYNAMIC_DISPATCH(largestDifference)(a, b, places);
+}
 
 }  // namespace bedmix
 #endif  // HWY_ONCE

@@ -32,11 +32,12 @@ struct FaceFlow {
 void findImbalance(const FaceFlow& upright, const FaceFlow& level, std::ptrdiff_t stride,
                    const double* growth, const double* open, double* b, Range places);
 
-// Sums are taken in an order of their own, eight partial ones whatever a vector holds.
+// Sums are taken in an order of their own, eight partial ones whatever a vector holds; maxima have none.
 
 double product(const double* a, const float* b, Range places);
 double total(const double* a, Range places);
-/// Largest magnitude.
+/// Largest magnitude of a, and of a - b.
 double largestSize(const double* a, Range places);
+double largestDifference(const double* a, const double* b, Range places);
 
 }  // namespace bedmix

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "engine/gas/momentum.h"
 
+#include "engine/gas/frame_kernel.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -23,7 +25,6 @@ MomentumSystem::MomentumSystem(const Scene& scene, const FaceLayout& layout)
       theta_(scene.gas->timeScheme == TimeScheme::crankNicolson ? 0.5 : 1.0),
       gravity_(scene.gravity),
       spare_(static_cast<std::size_t>(layout.faces())),
-      zero_(spare_),
       reduction_(layout.rows + 1) {
   kernel_.area = layout.faceArea.data();
   kernel_.volume = layout.volume.data();
@@ -99,6 +100,7 @@ void MomentumSystem::relax(Member& member, const std::vector<double>& velocity, 
 
 double MomentumSystem::residual(Member& member, const std::vector<double>& velocity) {
   const MomentumKernel& k = kernel_;
+  member.wait();  // rows of both families are shared out together here
   const auto ofRow = [&](int row) {
     Pair sum;  // residual, scale
     for (const FaceFamily& family : layout_.families) {
@@ -134,8 +136,8 @@ void MomentumSystem::solve(Member& member, std::vector<double>& velocity) {
     Pair mine;  // change, size
     for (const FaceFamily& family : layout_.families) {
       const Range f = faces(member, family);
-      mine.a = std::max(mine.a, MomentumKernel::largestDifference(velocity.data(), spare_.data(), f));
-      mine.b = std::max(mine.b, MomentumKernel::largestDifference(velocity.data(), zero_.data(), f));
+      mine.a = std::max(mine.a, largestDifference(velocity.data(), spare_.data(), f));
+      mine.b = std::max(mine.b, largestSize(velocity.data(), f));
     }
     const auto larger = [](Pair x, Pair y) { return Pair{std::max(x.a, y.a), std::max(x.b, y.b)}; };
     const Pair all = reduction_.overShares(member, mine, larger);

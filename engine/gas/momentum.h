@@ -56,7 +56,7 @@ class MomentumSystem {
 
   const FaceLayout& layout_;
   double density_, viscosity_, step_, theta_, gravity_;
-  std::vector<double> spare_, zero_;            // velocities
+  std::vector<double> spare_;                   // velocities between two sweeps
   std::array<std::vector<double>, 10> fields_;  // the kernel's
   MomentumKernel kernel_;
   struct Pair {

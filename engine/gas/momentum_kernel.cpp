@@ -116,21 +116,6 @@ void correct(const MomentumKernel& k, const FaceFamily& family, const double* pr
   }
 }
 
-double largestDifference(const double* a, const double* b, Range faces) {
-  namespace hn = hwy::HWY_NAMESPACE;
-  const hn::ScalableTag<double> d;
-  auto largest = hn::Zero(d);
-  std::size_t f = faces.begin;
-  for (; f + hn::Lanes(d) <= faces.end; f += hn::Lanes(d))
-    largest = hn::Max(largest, hn::Abs(hn::LoadU(d, a + f) - hn::LoadU(d, b + f)));
-  double all = hn::GetLane(hn::MaxOfLanes(d, largest));
-  for (; f < faces.end; ++f) {
-    const double difference = std::abs(a[f] - b[f]);
-    all = difference > all ? difference : all;
-  }
-  return all;
-}
-
 }  // namespace
 
 }  // namespace bedmix::HWY_NAMESPACE
@@ -146,7 +131,6 @@ HWY_EXPORT(assemble);
 HWY_EXPORT(sweep);
 HWY_EXPORT(addNeighbourEffect);
 HWY_EXPORT(correct);
-HWY_EXPORT(largestDifference);
 
 void MomentumKernel::updateFlux(double density, const double* velocity, const double* voidage,
                                 Range faces) const {
@@ -176,9 +160,6 @@ void MomentumKernel::addNeighbourEffect(const FaceFamily& family, const double* 
 void MomentumKernel::correct(const FaceFamily& family, const double* pressure, double* change,
                              double* velocity, Range faces) const {
   HWY_DYNAMIC_DISPATCH(correct)(*this, family, pressure, change, velocity, faces);
-}
-double MomentumKernel::largestDifference(const double* a, const double* b, Range faces) {
-  return HWY_DYNAMIC_DISPATCH(largestDifference)(a, b, faces);
 }
 
 }  // namespace bedmix

@@ -38,9 +38,6 @@ struct MomentumKernel {
   /// Writes the change of velocity that a change of pressure, a frame, makes by itself, and adds it.
   void correct(const FaceFamily& family, const double* pressure, double* change, double* velocity,
                Range faces) const;
-
-  /// Largest magnitude of a - b.
-  static double largestDifference(const double* a, const double* b, Range faces);
 };
 
 }  // namespace bedmix

@@ -16,14 +16,15 @@ namespace {
 /// One allocation, since its parts point at each other.
 struct CoupledBed {
   Scene scene;
-  ThreadTeam team{1};
+  ThreadTeam team;
   GasSolver gas;
   VoidageField voidage;
   Exchange exchange;
   Particles particles;
 
-  explicit CoupledBed(Scene s)
+  explicit CoupledBed(Scene s, int threads = 1)
       : scene(std::move(s)),
+        team(threads),
         gas(scene, team),
         voidage(scene, gas.grid(), team),
         exchange(scene, gas, voidage, team),
@@ -76,7 +77,7 @@ void evaluateDrag(benchmark::State& state) {
 
 /// The bed shakes by what a particle of 0.5 m/s moves in a gas step, so that each step has work to do.
 void stepGas(benchmark::State& state) {
-  CoupledBed bed(sceneOf(state.range(0), state.range(1)));
+  CoupledBed bed(sceneOf(state.range(0), state.range(1)), static_cast<int>(state.range(2)));
   std::vector<Vec2> raised = bed.particles.position;
   for (Vec2& p : raised) p.y += 0.5 * bed.scene.gas->step;
   const std::vector<double> down = bed.voidage.voidage();
@@ -95,7 +96,16 @@ void gasGrids(benchmark::internal::Benchmark* b) {
 
 BENCHMARK(updateVoidage)->Apply(gasGrids);
 BENCHMARK(evaluateDrag)->Apply(gasGrids);
-BENCHMARK(stepGas)->Apply(gasGrids);
+
+/// By threads; the particles' 100,000 have 800 x 27 cells.
+BENCHMARK(stepGas)
+    ->ArgNames({"columns", "rows", "threads"})
+    ->Args({8, 27, 1})
+    ->ArgsProduct({{800}, {27}, {1, 2, 4}})
+    ->ArgsProduct({{64}, {128}, {1, 4}})
+    ->ArgsProduct({{256}, {512}, {1, 4}})
+    ->UseRealTime()
+    ->Unit(benchmark::kMicrosecond);
 
 }  // namespace
 

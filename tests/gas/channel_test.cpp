@@ -114,10 +114,11 @@ TEST(Channel, StairOfBlockedCellsLeaksNothing) {
 }
 
 /// Where a stair of blocked cells has gas over it that thins and thickens; all that a step computes.
-std::vector<double> stirred(int columns, int rows, int threads) {
+std::vector<double> stirred(int columns, int rows, int threads, GasScheme scheme = GasScheme::projection) {
   Scene scene = test::inclinedScene();
   scene.gas->grid.columns = {{columns, 0.096 / columns}};
   scene.gas->grid.rows = {{rows, 0.42 / rows}};
+  scene.gas->scheme = scheme;
   ThreadTeam team(threads);
   GasSolver gas(scene, team);
   for (const MomentumVolume& v : gas.layout().volumes) gas.exchange().coefficient[v.face] = 5e3 * v.volume;
@@ -143,6 +144,7 @@ TEST(Channel, ThreadsDoNotMatter) {
     const std::vector<double> one = stirred(columns, rows, 1);
     for (int threads : {2, 3, 4}) EXPECT_EQ(stirred(columns, rows, threads), one) << threads << " threads";
   }
+  EXPECT_EQ(stirred(70, 67, 3, GasScheme::simple), stirred(70, 67, 1, GasScheme::simple));
 }
 
 TEST(Channel, VectorsDoNotMatter) {
