@@ -14,8 +14,16 @@ namespace bedmix {
 
 namespace {
 
-constexpr std::size_t channelCapacity =
-    16;  // frames; bounds memory when the reader is slower than the solver
+/// Frames on their way to a reader that is slower than the solver: some, so that neither waits for the
+/// other's every pause, but of a large bed no more than this memory holds.
+constexpr std::size_t mostFrames = 16, leastFrames = 2;
+constexpr std::size_t channelBytes = std::size_t{64} << 20;
+
+std::size_t channelCapacity(const Frame& frame) {
+  const std::size_t particle =
+      2 * sizeof(Vec2f) + sizeof(float) + sizeof(std::uint8_t) + sizeof(std::int32_t);
+  return std::clamp(channelBytes / (particle * frame.size() + 1), leastFrames, mostFrames);
+}
 
 double secondsSince(std::chrono::steady_clock::time_point start) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
@@ -53,7 +61,7 @@ struct Worker::State {
   /// Waits for room; false if the run is to stop.
   bool send(FramePtr frame, const std::stop_token& stop) {
     std::unique_lock lock(mutex);
-    if (!changed.wait(lock, stop, [&] { return channel.size() < channelCapacity; })) return false;
+    if (!changed.wait(lock, stop, [&] { return channel.size() < channelCapacity(*frame); })) return false;
     channel.push_back(std::move(frame));
     changed.notify_all();
     return true;
