@@ -13,26 +13,37 @@ constexpr double taperDiameters = 5.0;
 
 }  // namespace
 
-CouplingGrid::CouplingGrid(const Scene& scene, const GasGrid& grid)
+CouplingGrid::CouplingGrid(const Scene& scene, const GasGrid& gasGrid)
     : x(scene.gas->grid.columns, scene.bed.width),
       y(scene.gas->grid.rows, scene.bed.height),
-      stride(grid.columns + 2),
-      rows(grid.rows + 2),
+      stride(x.cells + 2),
+      rows(y.cells + 2),
       perDiameter(1.0 / scene.particles.diameter),
-      particleVolume(bedmix::particleVolume(scene)) {
+      particleVolume(bedmix::particleVolume(scene)),
+      gas_(gasGrid) {
   if (scene.bed.top == BedTop::open) {  // against a lid the gas holds particles at the very top
     taperSlope = perDiameter / taperDiameters;
-    taperShift = grid.y.back() * taperSlope;
+    taperShift = y.length * taperSlope;
   }
-  const auto lowest = [&](int column) { return grid.lowestRow[std::clamp(column, 0, grid.columns - 1)]; };
-  for (int row = 0; row < rows; ++row)
-    for (int column = 0; column < stride; ++column) {
-      const int cell = std::clamp(column - 1, 0, grid.columns - 1), face = std::min(column, grid.columns);
-      const int lowestOfFace = std::min(lowest(face - 1), lowest(face));
-      cells.push_back({cell, std::clamp(row - 1, lowest(cell), grid.rows - 1)});
-      uprightFaces.push_back({face, std::clamp(row - 1, lowestOfFace, grid.rows - 1)});
-      levelFaces.push_back({cell, std::clamp(row, lowest(cell), grid.rows)});
-    }
+  for (std::int32_t row = 0; row < rows; ++row)
+    for (std::int32_t column = 0; column < stride; ++column)
+      cellOwner_.push_back(static_cast<std::int32_t>(point(cellOf({column, row}))));
+}
+
+CouplingGrid::Place CouplingGrid::cellOf(Place point) const {
+  const std::int32_t i = std::clamp(point.i - 1, 0, x.cells - 1);
+  return {i, std::clamp(point.j - 1, gas_.lowestRow[i], y.cells - 1)};
+}
+
+CouplingGrid::Place CouplingGrid::uprightFaceOf(Place point) const {
+  const std::int32_t i = std::min(point.i, x.cells), left = std::max(i - 1, 0),
+                     right = std::min(i, x.cells - 1);
+  return {i, std::clamp(point.j - 1, std::min(gas_.lowestRow[left], gas_.lowestRow[right]), y.cells - 1)};
+}
+
+CouplingGrid::Place CouplingGrid::levelFaceOf(Place point) const {
+  const std::int32_t i = std::clamp(point.i - 1, 0, x.cells - 1);
+  return {i, std::clamp(point.j, gas_.lowestRow[i], y.cells)};
 }
 
 Range CouplingGrid::columnsOf(const ThreadTeam& team, int member) const {

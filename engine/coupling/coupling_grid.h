@@ -6,6 +6,7 @@
 #include "engine/core/thread_team.h"
 #include "engine/coupling/grid_axis.h"
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -14,30 +15,57 @@ namespace bedmix {
 
 /// The gas grid as particles see it: framed by ghosts, so that what they take from the gas and give to it
 /// knows no walls. Cells, upright faces and level faces are each numbered row by row as points, `stride` to a
-/// row: cell (i, j) is point (i + 1, j + 1), upright face (i, j) point (i, j + 1), level face (i, j) point (i
-/// + 1, j). Each point has an owner that it copies and that gets what is given to it: itself, or, for a ghost
-/// beyond the walls or below the distributor, the wall's cell or face or the lowest open one of its column.
-struct CouplingGrid {
-  CouplingGrid(const Scene& scene, const GasGrid& grid);
+/// row: cell (i, j) is the point in column i + 1 and row j + 1, upright face (i, j) that in (i, j + 1), level
+/// face (i, j) that in (i + 1, j). Each point has an owner whose values it has and that gets what is given to
+/// it: itself, or, for a ghost beyond the walls or below the distributor, the wall's cell or face or the
+/// lowest open one of its column.
+class CouplingGrid {
+ public:
+  /// `gasGrid` must outlive this.
+  CouplingGrid(const Scene& scene, const GasGrid& gasGrid);
 
-  std::size_t points() const { return cells.size(); }
-  /// A member's part of the points' columns. Owners in different parts are different, too.
-  Range columnsOf(const ThreadTeam& team, int member) const;
-
-  /// Column and row of a cell or face.
+  /// Column and row.
   struct Place {
     std::int32_t i, j;
   };
-  std::int32_t point(Place cell) const { return (cell.j + 1) * stride + cell.i + 1; }
+  // Owners of a point, as cells and faces of the gas grid.
+  Place cellOf(Place point) const;
+  Place uprightFaceOf(Place point) const;
+  Place levelFaceOf(Place point) const;
+
+  std::size_t points() const { return cellOwner_.size(); }
+  std::size_t point(Place cell) const { return static_cast<std::size_t>((cell.j + 1) * stride + cell.i + 1); }
+  /// A member's part of the points' columns. Owners in different parts are different, too.
+  Range columnsOf(const ThreadTeam& team, int member) const;
+  /// Calls visit(point) for the points in a part of the columns.
+  template <class Visit>
+  void forPoints(Range columns, Visit&& visit) const {
+    for (std::size_t row = 0; row < points(); row += static_cast<std::size_t>(stride))
+      for (std::size_t k = row + columns.begin; k < row + columns.end; ++k) visit(k);
+  }
+  /// Calls visit(point, cell) for the open cells in a part of the points' columns.
+  template <class Visit>
+  void forOpenCells(Range columns, Visit&& visit) const {
+    const auto begin = std::max<std::int32_t>(static_cast<std::int32_t>(columns.begin) - 1, 0);
+    const auto end = std::min<std::int32_t>(static_cast<std::int32_t>(columns.end) - 1, x.cells);
+    for (std::int32_t j = 0; j < y.cells; ++j)
+      for (std::int32_t i = begin; i < end; ++i)
+        if (gas_.open(i, j)) visit(point({i, j}), Place{i, j});
+  }
+  /// The point of the cell that owns a point.
+  std::size_t cellOwner(std::size_t point) const { return static_cast<std::size_t>(cellOwner_[point]); }
 
   GridAxis x, y;
-  std::int32_t stride, rows;                           // of points
-  std::vector<Place> cells, uprightFaces, levelFaces;  // owners, per point
-  double perDiameter;                                  // 1/m
-  double particleVolume;                               // m3
+  std::int32_t stride, rows;  // of points
+  double perDiameter;         // 1/m
+  double particleVolume;      // m3
   /// The share of a particle at height y that is coupled is 3 s^2 - 2 s^3, s = taperShift - y taperSlope
   /// within 0 and 1: it fades towards an open top.
   double taperShift = 1.0, taperSlope = 0.0;
+
+ private:
+  const GasGrid& gas_;
+  std::vector<std::int32_t> cellOwner_;  // per point
 };
 
 }  // namespace bedmix

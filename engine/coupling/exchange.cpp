@@ -7,6 +7,20 @@
 
 namespace bedmix {
 
+namespace {
+
+/// Calls body(batch) for the batches of a block.
+template <class Body>
+void forBatches(Range block, const Body& body) {
+  ExchangeBatch batch;
+  for (batch.begin = block.begin; batch.begin < block.end; batch.begin += batch.size) {
+    batch.size = std::min(batchSize, block.end - batch.begin);
+    body(batch);
+  }
+}
+
+}  // namespace
+
 Exchange::Exchange(const Scene& scene, const GasSolver& gas, const VoidageField& voidage, ThreadTeam& team)
     : gas_(gas),
       voidage_(voidage),
@@ -19,26 +33,28 @@ Exchange::Exchange(const Scene& scene, const GasSolver& gas, const VoidageField&
       levelVelocity_(grid_.points()),
       pressure_(grid_.points()),
       gradient_(grid_.points()) {
-  for (const CouplingGrid::Place& at : grid_.cells) {
-    cell_.push_back(static_cast<std::int32_t>(gas.grid().cell(at.i, at.j)));
-    slopes_.push_back(slopes(at.i, at.j));
-  }
-  for (const CouplingGrid::Place& at : grid_.uprightFaces)
-    uprightFace_.push_back(gas.layout().uFace(at.i, at.j));
-  for (const CouplingGrid::Place& at : grid_.levelFaces) levelFace_.push_back(gas.layout().vFace(at.i, at.j));
+  for (std::int32_t j = 0; j < grid_.rows; ++j)
+    for (std::int32_t i = 0; i < grid_.stride; ++i) {
+      const CouplingGrid::Place upright = grid_.uprightFaceOf({i, j}), level = grid_.levelFaceOf({i, j});
+      uprightFace_.push_back(gas.layout().uFace(upright.i, upright.j));
+      levelFace_.push_back(gas.layout().vFace(level.i, level.j));
+    }
+  const GasGrid& g = gas.grid();
+  for (int j = 0; j < g.rows; ++j)
+    for (int i = 0; i < g.columns; ++i) {
+      across_.push_back(weights(i > 0 && g.open(i - 1, j), i + 1 < g.columns && g.open(i + 1, j)));
+      up_.push_back(weights(j > 0 && g.open(i, j - 1), true));
+    }
+  perDistanceX_.assign(g.x.size(), 0.0);
+  for (int i = 1; i < g.columns; ++i) perDistanceX_[i] = 2.0 / (g.dx(i - 1) + g.dx(i));
+  perDistanceY_.assign(g.y.size(), 0.0);
+  for (int j = 1; j < g.rows; ++j) perDistanceY_[j] = 2.0 / (g.dy(j - 1) + g.dy(j));
+  perDistanceY_[g.rows] = 2.0 / g.dy(g.rows - 1);
 }
 
-Exchange::Slopes Exchange::slopes(int i, int j) const {
-  const GasGrid& g = gas_.grid();
-  const bool left = i > 0 && g.open(i - 1, j), right = i + 1 < g.columns && g.open(i + 1, j);
-  const bool bottom = j > 0 && g.open(i, j - 1), outlet = j + 1 == g.rows;
-  Slopes s;
-  const double across = left && right ? 0.5 : 1.0, up = bottom ? 0.5 : 1.0;
-  if (left) s.left = across / (0.5 * (g.dx(i - 1) + g.dx(i)));
-  if (right) s.right = across / (0.5 * (g.dx(i) + g.dx(i + 1)));
-  if (bottom) s.bottom = up / (0.5 * (g.dy(j - 1) + g.dy(j)));
-  s.top = up / (outlet ? 0.5 * g.dy(j) : 0.5 * (g.dy(j) + g.dy(j + 1)));
-  return s;
+Exchange::FaceWeights Exchange::weights(bool before, bool after) {
+  if (before && after) return {0.5f, 0.5f};
+  return {before ? 1.0f : 0.0f, after ? 1.0f : 0.0f};
 }
 
 void Exchange::copyVelocity(Range points) {
@@ -49,19 +65,26 @@ void Exchange::copyVelocity(Range points) {
   }
 }
 
-void Exchange::copyPressure(Range points) {
-  const std::size_t outlet = grid_.points() - static_cast<std::size_t>(grid_.stride);
-  for (std::size_t k = points.begin; k < points.end; ++k)
-    pressure_[k] = k < outlet ? gas_.fields().pressure[cell_[k]] : 0.0;
+void Exchange::copyPressure(Range rows) {
+  const auto columns = static_cast<std::ptrdiff_t>(gas_.grid().columns);
+  for (std::size_t row = rows.begin; row < rows.end; ++row) {
+    const auto j = static_cast<std::int32_t>(row);
+    std::copy_n(gas_.fields().pressure.begin() + static_cast<std::ptrdiff_t>(gas_.grid().cell(0, j)), columns,
+                pressure_.begin() + static_cast<std::ptrdiff_t>(grid_.point({0, j})));
+  }
 }
 
-void Exchange::findGradient(Range points) {
-  for (std::size_t k = points.begin; k < points.end; ++k) {
-    const Slopes& s = slopes_[k];
-    const double* const p = &pressure_[grid_.point(grid_.cells[k])];
-    gradient_[k] = {s.left * (p[0] - p[-1]) + s.right * (p[1] - p[0]),
-                    s.bottom * (p[0] - p[-grid_.stride]) + s.top * (p[grid_.stride] - p[0])};
-  }
+void Exchange::findGradient(Range columns) {
+  grid_.forOpenCells(columns, [&](std::size_t k, CouplingGrid::Place at) {
+    const double* const p = &pressure_[k];
+    const std::size_t cell = gas_.grid().cell(at.i, at.j);
+    const FaceWeights x = across_[cell], y = up_[cell];
+    gradient_[k] = {
+        x.before * perDistanceX_[at.i] * (p[0] - p[-1]) + x.after * perDistanceX_[at.i + 1] * (p[1] - p[0]),
+        y.before * perDistanceY_[at.j] * (p[0] - p[-grid_.stride]) +
+            y.after * perDistanceY_[at.j + 1] * (p[grid_.stride] - p[0])};
+  });
+  grid_.forPoints(columns, [&](std::size_t k) { gradient_[k] = gradient_[grid_.cellOwner(k)]; });
 }
 
 ExchangeKernel Exchange::kernel(Particles& particles) const {
@@ -76,16 +99,6 @@ ExchangeKernel Exchange::kernel(Particles& particles) const {
           .external = particles.external.data(),
           .foreseen = particles.foreseen.data(),
           .drag = particles.drag.data()};
-}
-
-/// Calls body(batch) for the batches of a block.
-template <class Body>
-static void forBatches(Range block, const Body& body) {
-  ExchangeBatch batch;
-  for (batch.begin = block.begin; batch.begin < block.end; batch.begin += batch.size) {
-    batch.size = std::min(batchSize, block.end - batch.begin);
-    body(batch);
-  }
 }
 
 void Exchange::evaluateDrag(Particles& particles, MomentumExchange& exchange) {
@@ -116,7 +129,7 @@ void Exchange::evaluateDrag(Particles& particles, MomentumExchange& exchange) {
 
 void Exchange::addToFaces(Range columns, MomentumExchange& exchange) const {
   for (const BlockSum<FaceSums>& sum : sums_)
-    sum.forPoints(grid_, columns, [&](std::int32_t k, const FaceSums& s) {
+    sum.forPoints(grid_, columns, [&](std::size_t k, const FaceSums& s) {
       exchange.coefficient[uprightFace_[k]] += s.uprightCoefficient;
       exchange.source[uprightFace_[k]] += s.uprightSource;
       exchange.coefficient[levelFace_[k]] += s.levelCoefficient;
@@ -128,11 +141,10 @@ void Exchange::applyForces(Particles& particles) {
   const std::size_t n = particles.size(), blocks = blocksOf(n);
   const ExchangeKernel loops = kernel(particles);
   team_.run([&](int member) {
-    const Range points = team_.share(grid_.points(), member);
-    copyVelocity(points);
-    copyPressure(points);
+    copyVelocity(team_.share(grid_.points(), member));
+    copyPressure(team_.share(static_cast<std::size_t>(gas_.grid().rows), member));
     team_.barrier();
-    findGradient(points);
+    findGradient(grid_.columnsOf(team_, member));
     team_.barrier();
     const Range mine = team_.share(blocks, member);
     for (std::size_t b = mine.begin; b < mine.end; ++b)

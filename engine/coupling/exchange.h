@@ -34,15 +34,15 @@ class Exchange {
   void applyForces(Particles& particles);
 
  private:
-  /// What makes the gradient of a cell out of its differences to the neighbours: the mean of its two faces;
-  /// at a boundary face, which has no gradient of its own, the other one alone. 1/m.
-  struct Slopes {
-    double left = 0.0, right = 0.0, bottom = 0.0, top = 0.0;
+  /// Weights of the two faces of a cell in its pressure gradient along one axis: their mean; at a boundary
+  /// face, which has no gradient of its own, the other one alone.
+  struct FaceWeights {
+    float before = 0.0f, after = 0.0f;
   };
-  Slopes slopes(int column, int row) const;
+  static FaceWeights weights(bool before, bool after);
   void copyVelocity(Range points);
-  void copyPressure(Range points);
-  void findGradient(Range points);
+  void copyPressure(Range rows);
+  void findGradient(Range columns);
   ExchangeKernel kernel(Particles& particles) const;
   void addToFaces(Range columns, MomentumExchange& exchange) const;
 
@@ -57,9 +57,9 @@ class Exchange {
   // Per point of the grid: gas velocity, m/s, and pressure, Pa, with its gradient, Pa/m.
   std::vector<double> uprightVelocity_, levelVelocity_, pressure_;
   std::vector<Vec2> gradient_;
-  // Per point: its owners in the gas's numbering and the cell's slopes.
-  std::vector<std::int32_t> cell_, uprightFace_, levelFace_;
-  std::vector<Slopes> slopes_;
+  std::vector<std::int32_t> uprightFace_, levelFace_;  // per point: its owners in the gas's numbering
+  std::vector<FaceWeights> across_, up_;               // per cell
+  std::vector<double> perDistanceX_, perDistanceY_;  // per face: of the centres beside it, 1/m; to the outlet
 };
 
 }  // namespace bedmix

@@ -40,7 +40,7 @@ class BlockSum {
     const auto end = std::min(static_cast<std::int32_t>(range.end), box_.firstColumn + box_.columns);
     for (std::int32_t row = 0; row < box_.rows; ++row)
       for (std::int32_t column = begin; column < end; ++column)
-        visit((box_.firstRow + row) * grid.stride + column,
+        visit(static_cast<std::size_t>((box_.firstRow + row) * grid.stride + column),
               sums_[static_cast<std::size_t>(row * box_.columns + column - box_.firstColumn)]);
   }
 

@@ -12,13 +12,11 @@ VoidageField::VoidageField(const Scene& scene, const GasGrid& grid, ThreadTeam& 
     : grid_(grid),
       team_(team),
       points_(scene, grid),
-      solids_(points_.points()),
+      voidage_(grid.cells(), 1.0),
       atPoints_(points_.points(), 1.0),
-      voidage_(grid.cells(), 1.0) {
-  for (const CouplingGrid::Place& cell : points_.cells) {
-    owner_.push_back(points_.point(cell));
-    perVolume_.push_back(points_.particleVolume / grid.volume(cell.i, cell.j));
-  }
+      lowestOf_(static_cast<std::size_t>(team.size())) {
+  for (int r = 0; r < grid.rows; ++r)
+    for (int c = 0; c < grid.columns; ++c) perVolume_.push_back(points_.particleVolume / grid.volume(c, r));
 }
 
 void VoidageField::update(const std::vector<Vec2>& position) {
@@ -31,8 +29,9 @@ void VoidageField::update(const std::vector<Vec2>& position) {
       deposit(blocks_[b], std::span(position).subspan(block.begin, block.end - block.begin));
     }
     team_.barrier();
-    addBlocks(points_.columnsOf(team_, member));
+    lowestOf_[member] = addBlocks(points_.columnsOf(team_, member));
   });
+  lowest_ = *std::min_element(lowestOf_.begin(), lowestOf_.end());
   aboveGrid_ = 0;
   for (const Block& block : blocks_) aboveGrid_ += block.aboveGrid;
 }
@@ -44,22 +43,20 @@ void VoidageField::deposit(Block& block, std::span<const Vec2> position) const {
       std::count_if(position.begin(), position.end(), [&](Vec2 at) { return at.y > points_.y.length; });
 }
 
-void VoidageField::addBlocks(Range columns) {
-  const auto forPoints = [&](auto visit) {
-    for (std::size_t row = 0; row < points_.points(); row += static_cast<std::size_t>(points_.stride))
-      for (std::size_t k = row + columns.begin; k < row + columns.end; ++k) visit(k);
-  };
-  forPoints([&](std::size_t k) { solids_[k] = 0.0; });
-  for (const Block& block : blocks_)
+double VoidageField::addBlocks(Range columns) {
+  points_.forPoints(columns, [&](std::size_t k) { atPoints_[k] = 0.0; });
+  for (const Block& block : blocks_)  // in particles
     block.solids.forPoints(points_, columns,
-                           [&](std::size_t k, double solids) { solids_[owner_[k]] += solids; });
-  forPoints([&](std::size_t k) { atPoints_[k] = 1.0 - solids_[owner_[k]] * perVolume_[k]; });
-  forPoints([&](std::size_t k) {
-    if (owner_[k] == static_cast<std::int32_t>(k))
-      voidage_[grid_.cell(points_.cells[k].i, points_.cells[k].j)] = atPoints_[k];
+                           [&](std::size_t k, double solids) { atPoints_[points_.cellOwner(k)] += solids; });
+  double lowest = 1.0;
+  points_.forOpenCells(columns, [&](std::size_t k, CouplingGrid::Place at) {
+    const std::size_t cell = grid_.cell(at.i, at.j);
+    atPoints_[k] = 1.0 - atPoints_[k] * perVolume_[cell];
+    voidage_[cell] = atPoints_[k];
+    lowest = std::min(lowest, atPoints_[k]);
   });
+  points_.forPoints(columns, [&](std::size_t k) { atPoints_[k] = atPoints_[points_.cellOwner(k)]; });
+  return lowest;
 }
-
-double VoidageField::lowest() const { return *std::min_element(voidage_.begin(), voidage_.end()); }
 
 }  // namespace bedmix

@@ -27,7 +27,7 @@ class VoidageField {
   void update(const std::vector<Vec2>& position);
 
   const std::vector<double>& voidage() const { return voidage_; }  // per cell; 1 in blocked cells
-  double lowest() const;
+  double lowest() const { return lowest_; }
   /// Particles whose centre is above the gas grid.
   std::int64_t aboveGrid() const { return aboveGrid_; }
   /// The grid as particles see it, and the voidage at its cells' points.
@@ -40,18 +40,17 @@ class VoidageField {
     std::int64_t aboveGrid = 0;
   };
   void deposit(Block& block, std::span<const Vec2> position) const;
-  /// Voidage of a part of the grid's columns.
-  void addBlocks(Range columns);
+  /// Voidage in a part of the points' columns; returns the lowest there.
+  double addBlocks(Range columns);
 
   const GasGrid& grid_;
   ThreadTeam& team_;
   CouplingGrid points_;
   std::vector<Block> blocks_;
-  // Per point of the grid's cells.
-  std::vector<std::int32_t> owner_;
-  std::vector<double> solids_, perVolume_;  // in particles; share of a cell that one fills
+  std::vector<double> perVolume_, voidage_;  // per cell: share of it that one particle fills
   std::vector<double> atPoints_;
-  std::vector<double> voidage_;  // per cell
+  std::vector<double> lowestOf_;  // per member of the team
+  double lowest_ = 1.0;
   std::int64_t aboveGrid_ = 0;
 };
 
