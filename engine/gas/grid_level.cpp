@@ -64,11 +64,6 @@ GridLevel GridLevel::coarser() const {
   return {across.coarser(joinColumns), up.coarser(joinRows)};
 }
 
-Range GridLevel::rowsOf(const GridLevel& coarse, Range mine) const {
-  const std::size_t perRow = coarse.up.joined ? 2 : 1;
-  return {perRow * mine.begin, std::min(perRow * mine.end, static_cast<std::size_t>(rows))};
-}
-
 void GridLevel::updateDiagonal(Range mine) {
   for (int c = at(0, static_cast<int>(mine.begin)); c < at(0, static_cast<int>(mine.end)); ++c) {
     const float diagonal = west[c] + west[c + 1] + south[c] + south[c + stride];

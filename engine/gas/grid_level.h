@@ -22,6 +22,11 @@ struct LevelAxis {
   LevelAxis coarser(bool join) const;
 };
 
+/// A part of a grid.
+struct Patch {
+  Range rows, columns;
+};
+
 /// One grid of the multigrid cycle, framed as in FaceLayout. A coarse face conducts what its fine faces do
 /// together, in proportion to the distances across it. Interpolation to the finer grid is linear, between a
 /// cell and its nearer neighbour in each direction (Kwak 1999, SIAM J. Sci. Comput. 21:552).
@@ -38,8 +43,6 @@ struct GridLevel {
 
   int at(int column, int row) const { return (row + 1) * stride + column; }
   int cells() const { return columns * rows; }
-  /// Those that were joined into `mine` of the coarser level.
-  Range rowsOf(const GridLevel& coarse, Range mine) const;
 
   void updateDiagonal(Range rows);
   /// Takes from the finer grid what faces in these rows conduct; one row more than there are has the outlet.
@@ -47,12 +50,13 @@ struct GridLevel {
   /// Interpolates only from where cells are coupled.
   void updateShares();
 
-  /// Room for rows that descend() and ascend() need of others, per thread.
+  /// Room for the rows at hand in descend() and ascend(), floats a thread. What these need of other patches
+  /// they compute again.
   std::size_t scratchSize() const { return 8 * (static_cast<std::size_t>(stride) + 4); }
-  /// Smooths x = 0 twice and hands the residual down to `coarse`, for these rows of the latter.
-  void descend(GridLevel& coarse, Range coarseRows, float* scratch);
-  /// Adds the correction of `coarse` and smooths twice, for these rows of the latter.
-  void ascend(const GridLevel& coarse, Range coarseRows, float* scratch);
+  /// Smooths x = 0 twice and hands the residual down to `coarse`, for a patch of the latter.
+  void descend(GridLevel& coarse, const Patch& patch, float* scratch);
+  /// Adds the correction of `coarse` and smooths twice, for a patch of the latter.
+  void ascend(const GridLevel& coarse, const Patch& patch, float* scratch);
 };
 
 }  // namespace bedmix

@@ -65,7 +65,10 @@ void Multigrid::cycle(Member& member, std::size_t l) {
     return;
   }
   GridLevel& coarse = levels_[l + 1];
-  const Range mine = member.share(coarse.rows);
+  // Strips across the long side, which have the fewest neighbours.
+  Patch mine{member.share(coarse.rows), {0, static_cast<std::size_t>(coarse.columns)}};
+  if (coarse.columns > coarse.rows)
+    mine = {{0, static_cast<std::size_t>(coarse.rows)}, member.share(coarse.columns)};
   float* const scratch = scratch_[member.index()].data();
   level.descend(coarse, mine, scratch);
   member.wait();
