@@ -15,6 +15,7 @@ struct GridAxis {
     double start;          // its lowest face, m
     double size, perSize;  // of a cell, m, 1/m
     double firstCell;      // a whole number
+    double lastCell;       // counted from the first
     /// From the centre below the stretch's lowest face to that above it weights change at another rate, since
     /// the cells differ: where this begins and ends, m, and the size of the cell below and above over the
     /// distance.
@@ -28,7 +29,8 @@ struct GridAxis {
 inline GridAxis::GridAxis(const std::vector<GridSpan>& spans, double axisLength) : length(axisLength) {
   double start = 0.0;
   for (const GridSpan& span : spans) {
-    Stretch s{start, span.size, 1.0 / span.size, static_cast<double>(cells)};
+    Stretch s{start, span.size, 1.0 / span.size, static_cast<double>(cells),
+              static_cast<double>(span.count - 1)};
     if (!stretches.empty()) {
       const double below = stretches.back().size, distance = 0.5 * (below + s.size);
       s.fromCentre = start - 0.5 * below;

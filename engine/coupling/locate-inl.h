@@ -83,20 +83,21 @@ HWY_INLINE AxisPlace<D> findPlace(D d, const GridAxis& axis, V at) {
   const V one = hn::Set(d, 1.0);
   const GridAxis::Stretch* s = axis.stretches.data();
   const GridAxis::Stretch* const end = s + axis.stretches.size();
-  V start = hn::Zero(d), perSize = hn::Set(d, s->perSize), firstCell = start;
+  V start = hn::Zero(d), perSize = hn::Set(d, s->perSize), first = start, last = hn::Set(d, s->lastCell);
   AxisPlace<D> place{start, start, start, hn::Set(d, s->size), one};
   while (++s != end) {
     const auto above = at >= hn::Set(d, s->start);
     start = hn::IfThenElse(above, hn::Set(d, s->start), start);
-    firstCell = hn::IfThenElse(above, hn::Set(d, s->firstCell), firstCell);
+    first = hn::IfThenElse(above, hn::Set(d, s->firstCell), first);
+    last = hn::IfThenElse(above, hn::Set(d, s->lastCell), last);
     perSize = hn::IfThenElse(above, hn::Set(d, s->perSize), perSize);
     place.size = hn::IfThenElse(above, hn::Set(d, s->size), place.size);
     place.slope = hn::IfThenElse(at >= hn::Set(d, s->fromCentre), hn::Set(d, s->slopeBelow), place.slope);
     place.slope = hn::IfThenElse(above, hn::Set(d, s->slopeAbove), place.slope);
     place.slope = hn::IfThenElse(at >= hn::Set(d, s->toCentre), one, place.slope);
   }
-  const V cells = (at - start) * perSize, whole = hn::Floor(cells);
-  place.cell = firstCell + whole;
+  const V cells = (at - start) * perSize, whole = hn::Min(hn::Floor(cells), last);
+  place.cell = first + whole;
   place.within = cells - whole;
   place.upper = hn::IfThenElseZero(place.within >= hn::Set(d, 0.5), one);
   return place;

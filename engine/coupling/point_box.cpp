@@ -55,8 +55,7 @@ PointBox reachOf(const CouplingGrid& grid, std::span<const Vec2> particles) {
 
   // From a cell's lower face to the centre of the cell above it.
   const std::int32_t column = cellAt(grid.x, least[0]), row = cellAt(grid.y, least[1]);
-  return {column, row, std::min(cellAt(grid.x, most[0]) + 3, grid.stride) - column,
-          std::min(cellAt(grid.y, most[1]) + 3, grid.rows) - row};
+  return {column, row, cellAt(grid.x, most[0]) + 3 - column, cellAt(grid.y, most[1]) + 3 - row};
 }
 
 }  // namespace bedmix::HWY_NAMESPACE
