@@ -34,7 +34,10 @@ class CouplingGrid {
   Place levelFaceOf(Place point) const;
 
   std::size_t points() const { return cellOwner_.size(); }
-  std::size_t point(Place cell) const { return static_cast<std::size_t>((cell.j + 1) * stride + cell.i + 1); }
+  std::size_t point(Place cell) const {
+    const std::int32_t number = (cell.j + 1) * stride + cell.i + 1;
+    return static_cast<std::size_t>(number);
+  }
   /// A member's part of the points' columns. Owners in different parts are different, too.
   Range columnsOf(const ThreadTeam& team, int member) const;
   /// Calls visit(point) for the points in a part of the columns.

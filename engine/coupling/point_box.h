@@ -39,9 +39,11 @@ class BlockSum {
     const auto begin = std::max(static_cast<std::int32_t>(range.begin), box_.firstColumn);
     const auto end = std::min(static_cast<std::int32_t>(range.end), box_.firstColumn + box_.columns);
     for (std::int32_t row = 0; row < box_.rows; ++row)
-      for (std::int32_t column = begin; column < end; ++column)
-        visit(static_cast<std::size_t>((box_.firstRow + row) * grid.stride + column),
-              sums_[static_cast<std::size_t>(row * box_.columns + column - box_.firstColumn)]);
+      for (std::int32_t column = begin; column < end; ++column) {
+        const std::int32_t point = (box_.firstRow + row) * grid.stride + column;
+        const std::int32_t here = row * box_.columns + column - box_.firstColumn;
+        visit(static_cast<std::size_t>(point), sums_[static_cast<std::size_t>(here)]);
+      }
   }
 
  private:
