@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "engine/gas/frame_kernel.h"
 
+#include "engine/gas/independent.h"
+
 #include <algorithm>
 
 #undef HWY_TARGET_INCLUDE
@@ -9,17 +11,15 @@
 // After foreach_target.h.
 #include <hwy/highway.h>
 
-// No place that these loops write is read as another's neighbour, which the compiler cannot know.
-#define BEDMIX_PLACES(c)                                                        \
-  _Pragma("GCC ivdep") for (auto c = static_cast<std::ptrdiff_t>(places.begin); \
-                            c < static_cast<std::ptrdiff_t>(places.end); ++c)
-
 HWY_BEFORE_NAMESPACE();
 namespace bedmix::HWY_NAMESPACE {
 
 namespace {
 
 namespace hn = hwy::HWY_NAMESPACE;
+
+HWY_INLINE std::ptrdiff_t first(Range places) { return static_cast<std::ptrdiff_t>(places.begin); }
+HWY_INLINE std::ptrdiff_t last(Range places) { return static_cast<std::ptrdiff_t>(places.end); }
 
 constexpr std::size_t parts = 8;
 
@@ -73,7 +73,8 @@ void findImbalance(const FaceFlow& upright, const FaceFlow& level, std::ptrdiff_
   const auto flux = [](const FaceFlow& f, std::ptrdiff_t c)
                         HWY_ATTR { return f.voidage[c] * f.velocity[c] * f.area[c]; };
   const FaceFlow u = upright, v = level;
-  BEDMIX_PLACES(c) {
+  BEDMIX_INDEPENDENT
+  for (std::ptrdiff_t c = first(places); c < last(places); ++c) {
     const double gain = flux(u, c) - flux(u, c + 1) + flux(v, c) - flux(v, c + stride) - growth[c];
     b[c] = open[c] > 0.0 ? gain : 0.0;
   }
@@ -82,15 +83,17 @@ void findImbalance(const FaceFlow& upright, const FaceFlow& level, std::ptrdiff_
 double apply(const FrameOperator& a, const double* x, double* image, Range places) {
   const double *west = a.west, *south = a.south;
   const std::ptrdiff_t n = a.stride;
-  BEDMIX_PLACES(c)
-  image[c] = (west[c] * (x[c] - x[c - 1]) + west[c + 1] * (x[c] - x[c + 1])) +
-             (south[c] * (x[c] - x[c - n]) + south[c + n] * (x[c] - x[c + n]));
+  BEDMIX_INDEPENDENT
+  for (std::ptrdiff_t c = first(places); c < last(places); ++c)
+    image[c] = (west[c] * (x[c] - x[c - 1]) + west[c + 1] * (x[c] - x[c + 1])) +
+               (south[c] * (x[c] - x[c - n]) + south[c + n] * (x[c] - x[c + n]));
   return sum(places, [=](std::size_t c) HWY_ATTR { return x[c] * image[c]; });
 }
 
 double advance(double length, const double* direction, const double* image, double* x, double* r,
                float* single, Range places) {
-  BEDMIX_PLACES(c) {
+  BEDMIX_INDEPENDENT
+  for (std::ptrdiff_t c = first(places); c < last(places); ++c) {
     x[c] += length * direction[c];
     r[c] -= length * image[c];
     single[c] = static_cast<float>(r[c]);
@@ -99,7 +102,9 @@ double advance(double length, const double* direction, const double* image, doub
 }
 
 void turn(double share, const float* z, double* direction, Range places) {
-  BEDMIX_PLACES(c) direction[c] = static_cast<double>(z[c]) + share * direction[c];
+  BEDMIX_INDEPENDENT
+  for (std::ptrdiff_t c = first(places); c < last(places); ++c)
+    direction[c] = static_cast<double>(z[c]) + share * direction[c];
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "engine/gas/grid_level.h"
+#include "engine/gas/independent.h"
 
 #include <algorithm>
 
@@ -54,7 +55,7 @@ class Ring {
 /// Two sweeps from zero.
 HWY_INLINE void relaxTwice(const Row& r, int stride, Span columns, float* to) {
   const float *d = r.perDiagonal, *b = r.b;
-#pragma GCC ivdep
+  BEDMIX_INDEPENDENT
   for (int i = columns.from; i < columns.to; ++i) {
     const float own = d[i] * b[i];
     const float flow =
@@ -72,13 +73,13 @@ HWY_INLINE float residual(const Row& r, const float* below, const float* own, co
 
 HWY_INLINE void findResidual(const Row& r, const float* below, const float* own, const float* above,
                              Span columns, float* to) {
-#pragma GCC ivdep
+  BEDMIX_INDEPENDENT
   for (int i = columns.from; i < columns.to; ++i) to[i] = residual(r, below, own, above, i);
 }
 
 HWY_INLINE void relax(const Row& r, const float* below, const float* own, const float* above, float damping,
                       Span columns, float* to) {
-#pragma GCC ivdep
+  BEDMIX_INDEPENDENT
   for (int i = columns.from; i < columns.to; ++i)
     to[i] = own[i] + damping * r.perDiagonal[i] * residual(r, below, own, above, i);
 }
@@ -90,13 +91,13 @@ HWY_INLINE void restrict(const GridLevel& coarse, int row, const float* below, c
   const float *w = &coarse.toWest[c], *e = &coarse.toEast[c], *s = &coarse.toSouth[c],
               *t = &coarse.toNorth[c];
   if (!coarse.across.joined) {
-#pragma GCC ivdep
+    BEDMIX_INDEPENDENT
     for (int i = columns.from; i < columns.to; ++i)
       to[i] = lower[i] + upper[i] + (t[i - n] * below[i] - s[i] * lower[i]) +
               (s[i + n] * above[i] - t[i] * upper[i]);
     return;
   }
-#pragma GCC ivdep
+  BEDMIX_INDEPENDENT
   for (int i = columns.from; i < columns.to; ++i) {
     const int f = 2 * i;
     const float left = lower[f] + upper[f], right = lower[f + 1] + upper[f + 1];
@@ -115,7 +116,7 @@ HWY_INLINE void prolong(const GridLevel& coarse, int row, bool upper, const floa
   const float* beside = upper ? own + coarse.stride : own - coarse.stride;
   const float* share = upper ? &coarse.toNorth[c] : &coarse.toSouth[c];
   if (!coarse.across.joined) {
-#pragma GCC ivdep
+    BEDMIX_INDEPENDENT
     for (int i = columns.from; i < columns.to; ++i) to[i] = x[i] + (own[i] + share[i] * (beside[i] - own[i]));
     return;
   }
@@ -124,7 +125,7 @@ HWY_INLINE void prolong(const GridLevel& coarse, int row, bool upper, const floa
     return own[i] + share[i] * (beside[i] - own[i]) + side * (other - own[i]);
   };
   const int pairs = std::min(columns.to, fineColumns / 2);
-#pragma GCC ivdep
+  BEDMIX_INDEPENDENT
   for (int i = columns.from; i < pairs; ++i) {
     to[2 * i] = x[2 * i] + correction(i, w[i], own[i - 1]);
     to[2 * i + 1] = x[2 * i + 1] + correction(i, e[i], own[i + 1]);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "engine/gas/momentum_kernel.h"
 
+#include "engine/gas/independent.h"
+
 #include <cmath>
 #include <cstddef>
 
@@ -9,9 +11,6 @@
 #include <hwy/foreach_target.h>
 // After foreach_target.h.
 #include <hwy/highway.h>
-
-// What one face reads of another none of these loops writes, which the compiler cannot know.
-#define BEDMIX_FACES(f) _Pragma("GCC ivdep") for (std::ptrdiff_t f = first(faces); f < last(faces); ++f)
 
 HWY_BEFORE_NAMESPACE();
 namespace bedmix::HWY_NAMESPACE {
@@ -36,7 +35,9 @@ void updateFlux(const MomentumKernel& k, double density, const double* velocity,
                 Range faces) {
   double* const flux = k.flux;
   const double* const area = k.area;
-  BEDMIX_FACES(f) flux[f] = density * voidage[f] * velocity[f] * area[f];
+  BEDMIX_INDEPENDENT
+  for (std::ptrdiff_t f = first(faces); f < last(faces); ++f)
+    flux[f] = density * voidage[f] * velocity[f] * area[f];
 }
 
 void updateSides(const MomentumKernel& k, const FaceFamily& family, std::ptrdiff_t other, double viscosity,
@@ -45,7 +46,8 @@ void updateSides(const MomentumKernel& k, const FaceFamily& family, std::ptrdiff
   const double *flux = k.flux, *solved = k.solved, *alongSide = k.alongSide, *acrossSide = k.acrossSide;
   double *before = k.before, *behind = k.behind, *below = k.below, *above = k.above;
   const double half = 0.5 * viscosity;
-  BEDMIX_FACES(f) {
+  BEDMIX_INDEPENDENT
+  for (std::ptrdiff_t f = first(faces); f < last(faces); ++f) {
     const double through = 0.5 * (flux[f - along] + flux[f]);
     const double rest = powerLaw(half * (voidage[f - along] + voidage[f]) * alongSide[f], through);
     before[f] = share * solved[f] * (rest + positive(through));
@@ -63,7 +65,8 @@ void setOldLevel(const MomentumKernel& k, const FaceFamily& family, double densi
   const double *u = velocity, *volume = k.volume, *wall = k.wall;
   const double *before = k.before, *behind = k.behind, *below = k.below, *above = k.above;
   double *inertia = k.inertia, *oldPart = k.oldPart;
-  BEDMIX_FACES(f) {
+  BEDMIX_INDEPENDENT
+  for (std::ptrdiff_t f = first(faces); f < last(faces); ++f) {
     inertia[f] = densityPerStep * voidage[f] * volume[f];
     oldPart[f] = inertia[f] * u[f] + before[f] * (u[f - along] - u[f]) + behind[f] * (u[f + along] - u[f]) +
                  below[f] * (u[f - across] - u[f]) + above[f] * (u[f + across] - u[f]) -
@@ -79,7 +82,8 @@ void assemble(const MomentumKernel& k, const FaceFamily& family, double friction
   const double *wall = k.wall, *inertia = k.inertia, *oldPart = k.oldPart;
   const double *before = k.before, *behind = k.behind, *below = k.below, *above = k.above;
   double *rhs = k.rhs, *perDiagonal = k.perDiagonal, *pull = k.pull;
-  BEDMIX_FACES(f) {
+  BEDMIX_INDEPENDENT
+  for (std::ptrdiff_t f = first(faces); f < last(faces); ++f) {
     const double sides = (before[f] + behind[f]) + (below[f] + above[f]) + friction * voidage[f] * wall[f];
     pull[f] = voidage[f] * area[f] * solved[f];
     perDiagonal[f] = solved[f] / (inertia[f] + sides + coefficient[f]);
@@ -91,9 +95,10 @@ void sweep(const MomentumKernel& k, const FaceFamily& family, const double* from
   const std::ptrdiff_t along = family.along, across = family.across;
   const double *before = k.before, *behind = k.behind, *below = k.below, *above = k.above;
   const double *rhs = k.rhs, *perDiagonal = k.perDiagonal;
-  BEDMIX_FACES(f)
-  to[f] = perDiagonal[f] * (rhs[f] + before[f] * from[f - along] + behind[f] * from[f + along] +
-                            below[f] * from[f - across] + above[f] * from[f + across]);
+  BEDMIX_INDEPENDENT
+  for (std::ptrdiff_t f = first(faces); f < last(faces); ++f)
+    to[f] = perDiagonal[f] * (rhs[f] + before[f] * from[f - along] + behind[f] * from[f + along] +
+                              below[f] * from[f - across] + above[f] * from[f + across]);
 }
 
 void addNeighbourEffect(const MomentumKernel& k, const FaceFamily& family, const double* change,
@@ -101,16 +106,18 @@ void addNeighbourEffect(const MomentumKernel& k, const FaceFamily& family, const
   const std::ptrdiff_t along = family.along, across = family.across;
   const double *before = k.before, *behind = k.behind, *below = k.below, *above = k.above;
   const double* perDiagonal = k.perDiagonal;
-  BEDMIX_FACES(f)
-  velocity[f] += perDiagonal[f] * (before[f] * change[f - along] + behind[f] * change[f + along] +
-                                   below[f] * change[f - across] + above[f] * change[f + across]);
+  BEDMIX_INDEPENDENT
+  for (std::ptrdiff_t f = first(faces); f < last(faces); ++f)
+    velocity[f] += perDiagonal[f] * (before[f] * change[f - along] + behind[f] * change[f + along] +
+                                     below[f] * change[f - across] + above[f] * change[f + across]);
 }
 
 void correct(const MomentumKernel& k, const FaceFamily& family, const double* pressure, double* change,
              double* velocity, Range faces) {
   const std::ptrdiff_t along = family.along;
   const double *p = pressure - family.first, *perDiagonal = k.perDiagonal, *pull = k.pull;
-  BEDMIX_FACES(f) {
+  BEDMIX_INDEPENDENT
+  for (std::ptrdiff_t f = first(faces); f < last(faces); ++f) {
     change[f] = pull[f] * perDiagonal[f] * (p[f - along] - p[f]);
     velocity[f] += change[f];
   }
