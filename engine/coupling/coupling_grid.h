@@ -46,14 +46,13 @@ class CouplingGrid {
     for (std::size_t row = 0; row < points(); row += static_cast<std::size_t>(stride))
       for (std::size_t k = row + columns.begin; k < row + columns.end; ++k) visit(k);
   }
-  /// Calls visit(point, cell) for the open cells in a part of the points' columns.
+  /// Calls visit(point, cell) for the cells in a part of the points' columns, blocked ones too.
   template <class Visit>
-  void forOpenCells(Range columns, Visit&& visit) const {
-    const auto begin = std::max<std::int32_t>(static_cast<std::int32_t>(columns.begin) - 1, 0);
-    const auto end = std::min<std::int32_t>(static_cast<std::int32_t>(columns.end) - 1, x.cells);
+  void forCells(Range columns, Visit&& visit) const {
+    const auto begin = std::max(static_cast<std::int32_t>(columns.begin) - 1, 0);
+    const auto end = std::min(static_cast<std::int32_t>(columns.end) - 1, x.cells);
     for (std::int32_t j = 0; j < y.cells; ++j)
-      for (std::int32_t i = begin; i < end; ++i)
-        if (gas_.open(i, j)) visit(point({i, j}), Place{i, j});
+      for (std::int32_t i = begin; i < end; ++i) visit(point({i, j}), Place{i, j});
   }
   /// The point of the cell that owns a point.
   std::size_t cellOwner(std::size_t point) const { return static_cast<std::size_t>(cellOwner_[point]); }

@@ -75,16 +75,19 @@ void Exchange::copyPressure(Range rows) {
 }
 
 void Exchange::findGradient(Range columns) {
-  grid_.forOpenCells(columns, [&](std::size_t k, CouplingGrid::Place at) {
-    const double* const p = &pressure_[k];
+  const double *const pressure = pressure_.data(), *const toLeft = perDistanceX_.data();
+  const FaceWeights *const across = across_.data(), *const up = up_.data();
+  Vec2* const gradient = gradient_.data();
+  const std::ptrdiff_t stride = grid_.stride;
+  grid_.forCells(columns, [&](std::size_t k, CouplingGrid::Place at) {
+    const double *const p = pressure + k, *const below = &perDistanceY_[at.j];
     const std::size_t cell = gas_.grid().cell(at.i, at.j);
-    const FaceWeights x = across_[cell], y = up_[cell];
-    gradient_[k] = {
-        x.before * perDistanceX_[at.i] * (p[0] - p[-1]) + x.after * perDistanceX_[at.i + 1] * (p[1] - p[0]),
-        y.before * perDistanceY_[at.j] * (p[0] - p[-grid_.stride]) +
-            y.after * perDistanceY_[at.j + 1] * (p[grid_.stride] - p[0])};
+    gradient[k] = {
+        across[cell].before * toLeft[at.i] * (p[0] - p[-1]) +
+            across[cell].after * toLeft[at.i + 1] * (p[1] - p[0]),
+        up[cell].before * below[0] * (p[0] - p[-stride]) + up[cell].after * below[1] * (p[stride] - p[0])};
   });
-  grid_.forPoints(columns, [&](std::size_t k) { gradient_[k] = gradient_[grid_.cellOwner(k)]; });
+  grid_.forPoints(columns, [&](std::size_t k) { gradient[k] = gradient[grid_.cellOwner(k)]; });
 }
 
 ExchangeKernel Exchange::kernel(Particles& particles) const {

@@ -49,7 +49,7 @@ double VoidageField::addBlocks(Range columns) {
     block.solids.forPoints(points_, columns,
                            [&](std::size_t k, double solids) { atPoints_[points_.cellOwner(k)] += solids; });
   double lowest = 1.0;
-  points_.forOpenCells(columns, [&](std::size_t k, CouplingGrid::Place at) {
+  points_.forCells(columns, [&](std::size_t k, CouplingGrid::Place at) {
     const std::size_t cell = grid_.cell(at.i, at.j);
     atPoints_[k] = 1.0 - atPoints_[k] * perVolume_[cell];
     voidage_[cell] = atPoints_[k];
