@@ -11,6 +11,7 @@ VelocityVerlet::VelocityVerlet(const Scene& scene, const BedState& bed)
       contacts_(scene, 0.5 * bed.step),
       spare_(bed.team.size()),
       fastest2_(bed.contacts.blocks()),
+      deepest_(bed.contacts.blocks()),
       displacements_(bed.contacts.blocks()) {}
 
 VelocityVerlet::Member VelocityVerlet::start(const BedState& bed, int index) const {
@@ -76,7 +77,7 @@ void VelocityVerlet::walk(BedState& bed, Member& m, std::int64_t steps, double m
   for (std::int64_t& taken = m.outcome.steps; taken < steps;) {
     bed.team.barrier();
     m.lap(m.seconds.integrate);
-    if (taken > 0 && deepestOverlap(bed) > maxOverlap) return;
+    if (taken > 0 && *std::max_element(deepest_.begin(), deepest_.end()) > maxOverlap) return;
     m.outcome.finite = keepLists(bed, m);
     m.lap(m.seconds.neighbours);
     if (!m.outcome.finite) return;
@@ -90,6 +91,7 @@ void VelocityVerlet::walk(BedState& bed, Member& m, std::int64_t steps, double m
       if (b < inner) evaluate(bed, b, contacts_);
       ContactForces::addIncoming(bed, b);
       m.lap(m.seconds.contacts);
+      deepest_[b] = bed.contacts.block(b).deepest;
       fastest2_[b] = last ? kernel.kick(particles(b)) : kernel.kickAndDrift(particles(b));
       m.lap(m.seconds.integrate);
     }

@@ -42,9 +42,11 @@ class VelocityVerlet {
   MotionKernel motion(BedState& bed) const;
 
   ContactForces atStart_, contacts_;
-  std::vector<ContactSlots> spare_;                        // of each member
-  std::vector<double> fastest2_;                           // of each block, (m/s)2
-  std::vector<ContactList::Displacements> displacements_;  // likewise
+  std::vector<ContactSlots> spare_;  // of each member
+  // Of each block; written after the members' second meeting in a step, read after the first.
+  std::vector<double> fastest2_;  // (m/s)2
+  std::vector<double> deepest_;   // overlap, m
+  std::vector<ContactList::Displacements> displacements_;
   bool sorted_ = true;
 };
 
