@@ -13,11 +13,11 @@ namespace {
 // Where a band is factorized: cells along the short side, for width^2 is what it costs, and cells, for it
 // keeps one thread busy only.
 constexpr int widestDirect = 16, largestDirect = 4096;
-constexpr int mostIterations = 200;
 
 }  // namespace
 
-PressureSolver::Iteration::Iteration(const FaceLayout& layout, int members) : multigrid(layout, members) {
+PressureSolver::Iteration::Iteration(const FaceLayout& layout, int members)
+    : multigrid(layout, members), lastResort(layout) {
   for (auto* field : {&residual, &direction, &image})
     field->assign(static_cast<std::size_t>(layout.size), 0.0);
 }
@@ -92,6 +92,11 @@ int PressureSolver::iterate(Member& member, const std::vector<double>& b, std::v
     member.wait();
     const double curvature = sum(member, [=](Range row) { return apply(a, direction, image, row); });
     worst = largest(member, advance(now / curvature, direction, image, x, r, asked, mine));
+  }
+  if (!(worst <= enough)) {
+    member.wait();
+    if (member.first()) it.lastResort.solve(*conductance_, b, p);
+    member.wait();
   }
   return iterations;
 }

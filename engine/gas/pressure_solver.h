@@ -5,6 +5,7 @@
 #include "engine/gas/face_layout.h"
 #include "engine/gas/member.h"
 #include "engine/gas/multigrid.h"
+#include "engine/gas/sparse_solver.h"
 
 #include <optional>
 #include <vector>
@@ -28,12 +29,14 @@ class PressureSolver {
     double relative, absolute;
   };
   /// Solves for b, a frame that is 0 outside open cells; writes p. Returns the number of iterations, 0 where
-  /// it was direct.
+  /// it was direct. What does not converge within `mostIterations` is solved directly after all.
+  static constexpr int mostIterations = 200;
   int solve(Member& member, const std::vector<double>& b, std::vector<double>& p, Tolerance tolerance);
 
  private:
   struct Iteration {
     Multigrid multigrid;
+    SparseSolver lastResort;
     std::vector<double> residual, direction, image;
     Iteration(const FaceLayout& layout, int members);
   };

@@ -76,6 +76,13 @@ TEST(PressureSolver, CellsThatAreLongOneWay) {
   EXPECT_LT(tall.residual, 1e-9);
 }
 
+// Conductances over eight decades: the iteration does not get through, the factorization does.
+TEST(PressureSolver, WhatDoesNotConvergeIsSolvedDirectly) {
+  const Solution s = solve(40, 60, 8.0);
+  EXPECT_EQ(s.iterations, PressureSolver::mostIterations);
+  EXPECT_LT(s.residual, 1e-8);
+}
+
 TEST(PressureSolver, RefusesCoefficientsThatAreNotFinite) {
   const FaceLayout layout = makeFaceLayout(makeGasGrid(test::paperScene(1.0)));
   PressureSolver solver(layout, 1);
