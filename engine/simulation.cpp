@@ -88,6 +88,7 @@ struct Simulation::State {
 
   std::optional<std::string> gasStep();
   std::optional<std::string> particleSteps(std::int64_t n);
+  bool load(StateReader& in);
 };
 
 std::optional<std::string> Simulation::State::gasStep() {
@@ -162,6 +163,36 @@ Simulation::Simulation(const Scene& scene, Particles start, std::unique_ptr<Thre
   s.solver = ParticleSolver::make(scene, std::move(start), bedWalls(scene), *s.team);
   if (scene.gas) s.gas = std::make_unique<CoupledGas>(scene, s.solver->particles(), *s.team);
   s.species = tagTracer(scene.tracer.rule, position, scene.bed.width);
+}
+
+void Simulation::save(StateWriter& out) const {
+  const State& s = *state_;
+  out.put(s.step);
+  out.put(s.gasSteps);
+  out.put(s.seconds);
+  out.put(s.report.largestOverlap);
+  out.put(s.report.largestOverlapParticle);
+  out.put(s.report.gasStepsNotConverged);
+  out.put(s.report.largestMassResidual);
+  out.put(s.report.aboveGridLargest);
+  out.putAll(s.species);
+  out.putAll(s.id);
+  s.solver->save(out);
+  if (s.gas) s.gas->solver.save(out);
+}
+
+bool Simulation::State::load(StateReader& in) {
+  return in.get(step) && step >= 0 && in.get(gasSteps) && in.get(seconds) && in.get(report.largestOverlap) &&
+         in.get(report.largestOverlapParticle) && in.get(report.gasStepsNotConverged) &&
+         in.get(report.largestMassResidual) && in.get(report.aboveGridLargest) && in.getAll(species) &&
+         in.getAll(id) && solver->load(in) && (!gas || gas->solver.load(in));
+}
+
+std::optional<Simulation> Simulation::make(const Scene& scene, StateReader& in, int threads) {
+  const std::vector<Vec2> anywhere(static_cast<std::size_t>(scene.particles.count));
+  Simulation simulation(scene, makeParticles(scene, anywhere), std::make_unique<ThreadTeam>(threads));
+  if (!simulation.state_->load(in)) return std::nullopt;
+  return simulation;
 }
 
 Simulation::~Simulation() = default;

@@ -4,6 +4,7 @@
 #include "engine/core/diagnostic.h"
 #include "engine/core/frame.h"
 #include "engine/core/scene.h"
+#include "engine/core/state_bytes.h"
 
 #include <array>
 #include <cstdint>
@@ -47,6 +48,9 @@ class Simulation {
   static Result<Simulation> make(const Scene& scene, int threads = 1);
   /// Takes the bed as it stands in `start`, which must fit the scene.
   static Simulation make(const Scene& scene, Particles start, int threads = 1);
+  /// Goes on from what save() wrote of a simulation of the same scene; whatever the numbers of threads, both
+  /// stay the same to the bit. Empty where `in` is not that.
+  static std::optional<Simulation> make(const Scene& scene, StateReader& in, int threads = 1);
   ~Simulation();
   Simulation(Simulation&&) noexcept;
   Simulation& operator=(Simulation&&) noexcept;
@@ -69,6 +73,9 @@ class Simulation {
   std::int64_t contacts() const;
   const StageSeconds& stageSeconds() const;
   const StepReport& report() const;
+
+  /// Everything its future and its reports depend on but the scene.
+  void save(StateWriter& out) const;
 
  private:
   Simulation(const Scene& scene, Particles start, std::unique_ptr<ThreadTeam> team);

@@ -2,13 +2,16 @@
 #include "engine/worker.h"
 
 #include <algorithm>
+#include <atomic>
 #include <chrono>
 #include <condition_variable>
 #include <deque>
 #include <exception>
+#include <functional>
 #include <mutex>
 #include <stop_token>
 #include <thread>
+#include <utility>
 
 namespace bedmix {
 
@@ -25,24 +28,35 @@ std::size_t channelCapacity(const Frame& frame) {
   return std::clamp(channelBytes / (particle * frame.size() + 1), leastFrames, mostFrames);
 }
 
-double secondsSince(std::chrono::steady_clock::time_point start) {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+using Clock = std::chrono::steady_clock;
+
+double secondsSince(Clock::time_point start) {
+  return std::chrono::duration<double>(Clock::now() - start).count();
 }
+
+struct Message {
+  FramePtr frame;
+  Checkpoint checkpoint;
+};
 
 }  // namespace
 
 struct Worker::State {
   Scene scene;
-  int threads;
+  int threads = 1;
+  std::optional<CheckpointSchedule> schedule;
+  std::optional<Resumed> resumed;
 
   std::mutex mutex;
   std::condition_variable_any changed;
-  std::deque<FramePtr> channel;
+  std::deque<Message> channel;
+  Checkpoint taken;  // with the frame that was taken last
+  std::atomic<bool> checkpointAsked{false};
   bool closed = false;
   RunEnd end;
   std::jthread thread;  // last: joins before the rest goes
 
-  State(const Scene& s, int t) : scene(s), threads(t) {
+  void begin() {
     thread = std::jthread([this](const std::stop_token& stop) {
       RunEnd outcome;
       try {
@@ -58,39 +72,72 @@ struct Worker::State {
     });
   }
 
-  /// Waits for room; false if the run is to stop.
-  bool send(FramePtr frame, const std::stop_token& stop) {
+  /// Whether no checkpoint is waiting for the reader, as happens where that is slow.
+  bool isCheckpointRead() {
+    const std::lock_guard lock(mutex);
+    return std::none_of(channel.begin(), channel.end(), [](const Message& m) { return m.checkpoint; });
+  }
+
+  /// Waits for room; false if the run is to stop, with this as its last frame.
+  bool send(Message message, const std::stop_token& stop, const std::function<Checkpoint()>& save) {
     std::unique_lock lock(mutex);
-    if (!changed.wait(lock, stop, [&] { return channel.size() < channelCapacity(*frame); })) return false;
-    channel.push_back(std::move(frame));
+    changed.wait(lock, stop, [&] { return channel.size() < channelCapacity(*message.frame); });
+    const bool stops = stop.stop_requested();
+    if (stops && !message.checkpoint) message.checkpoint = save();
+    channel.push_back(std::move(message));
     changed.notify_all();
-    return true;
+    return !stops;
   }
 
   RunEnd run(const std::stop_token& stop) {
     RunEnd outcome;
-    Result<Simulation> made = Simulation::make(scene, threads);
-    if (!made) {
-      outcome.reason = EndReason::invalid;
-      outcome.message = toString(made.problems.front());
-      return outcome;
+    const bool isNew = !resumed;
+    if (isNew) {
+      Result<Simulation> made = Simulation::make(scene, threads);
+      if (!made) {
+        outcome.reason = EndReason::invalid;
+        outcome.message = toString(made.problems.front());
+        return outcome;
+      }
+      resumed = Resumed{std::move(*made), 0.0};
     }
-    Simulation& simulation = *made;
+    Simulation& simulation = resumed->simulation;
 
-    const auto running = std::chrono::steady_clock::now();
+    const Clock::time_point running = Clock::now();
     const std::int64_t last = totalSteps(scene), perFrame = stepsPerFrame(scene);
-    bool sent = send(simulation.frame(), stop);
-    while (sent && simulation.step() < last) {
-      if (auto trouble = simulation.advance(std::min(perFrame, last - simulation.step()))) {
+    const auto wallSeconds = [&] { return resumed->wallSeconds + secondsSince(running); };
+
+    Clock::time_point savedAt = running;
+    double savedTime = simulation.time();
+    const auto save = [&]() -> Checkpoint {
+      if (!schedule) return nullptr;
+      savedAt = Clock::now();
+      savedTime = simulation.time();
+      return std::make_shared<const std::vector<std::byte>>(
+          writeCheckpoint(simulation, scene, wallSeconds()));
+    };
+    const auto isDue = [&] {
+      if (!schedule) return false;
+      if (simulation.step() == 0 || simulation.step() == last || checkpointAsked.exchange(false)) return true;
+      return (simulation.time() - savedTime >= schedule->simulatedSeconds ||
+              secondsSince(savedAt) >= schedule->wallSeconds) &&
+             isCheckpointRead();
+    };
+    const auto sendFrame = [&] { return send({simulation.frame(), isDue() ? save() : nullptr}, stop, save); };
+
+    bool goesOn = !isNew || sendFrame();
+    while (goesOn && simulation.step() < last) {
+      // Frames fall on whole multiples of their interval, wherever the run was resumed.
+      const std::int64_t step = simulation.step(), chunk = perFrame - step % perFrame;
+      if (auto trouble = simulation.advance(std::min(chunk, last - step))) {
         outcome.reason = EndReason::invalid;
         outcome.message = *trouble;
         break;
       }
-      sent = send(simulation.frame(), stop);
-      if (stop.stop_requested()) break;
+      goesOn = sendFrame();
     }
     if (outcome.reason != EndReason::invalid && simulation.step() < last) outcome.reason = EndReason::stopped;
-    outcome.wallSeconds = secondsSince(running);
+    outcome.wallSeconds = wallSeconds();
     outcome.simulatedSeconds = simulation.time();
     outcome.steps = simulation.step();
     outcome.gasSteps = simulation.gasSteps();
@@ -101,18 +148,41 @@ struct Worker::State {
   }
 };
 
-Worker::Worker(const Scene& scene, int threads) : state_(std::make_unique<State>(scene, threads)) {}
+Worker::Worker(const Scene& scene, int threads, std::optional<CheckpointSchedule> schedule)
+    : state_(std::make_unique<State>()) {
+  state_->scene = scene;
+  state_->threads = threads;
+  state_->schedule = schedule;
+  state_->begin();
+}
+
+Worker::Worker(const Scene& scene, Resumed start, std::optional<CheckpointSchedule> schedule)
+    : state_(std::make_unique<State>()) {
+  state_->scene = scene;
+  state_->schedule = schedule;
+  state_->resumed = std::move(start);
+  state_->begin();
+}
+
 Worker::~Worker() = default;
 
 FramePtr Worker::next() {
   std::unique_lock lock(state_->mutex);
   state_->changed.wait(lock, [&] { return !state_->channel.empty() || state_->closed; });
   if (state_->channel.empty()) return nullptr;
-  FramePtr frame = std::move(state_->channel.front());
+  Message message = std::move(state_->channel.front());
   state_->channel.pop_front();
+  state_->taken = std::move(message.checkpoint);
   state_->changed.notify_all();
-  return frame;
+  return std::move(message.frame);
 }
+
+Checkpoint Worker::checkpoint() {
+  const std::lock_guard lock(state_->mutex);
+  return std::move(state_->taken);
+}
+
+void Worker::requestCheckpoint() { state_->checkpointAsked = true; }
 
 void Worker::requestStop() { state_->thread.request_stop(); }
 

@@ -2,12 +2,13 @@
 #pragma once
 
 #include <bit>
+#include <cstddef>
 #include <cstdint>
 #include <span>
 
 namespace bedmix {
 
-/// FNV-1a over the bits of doubles: two states hash alike only if they are the same to the last bit.
+/// FNV-1a over the bits of doubles, or over bytes: any single byte that differs gives another value.
 class StateHash {
  public:
   void add(std::uint64_t bits) {
@@ -16,6 +17,9 @@ class StateHash {
   void add(double v) { add(std::bit_cast<std::uint64_t>(v)); }
   void add(std::span<const double> values) {
     for (double v : values) add(v);
+  }
+  void add(std::span<const std::byte> bytes) {
+    for (std::byte b : bytes) h_ = (h_ ^ std::to_integer<std::uint64_t>(b)) * 1099511628211ull;
   }
   std::uint64_t value() const { return h_; }
 

@@ -56,4 +56,20 @@ bool BedState::sort() {
   return true;
 }
 
+void BedState::save(StateWriter& out, bool begun) const {
+  particles.save(out);
+  if (!begun) return;
+  contacts.save(out);
+  out.putAll(loads);
+  out.put(budget);
+}
+
+bool BedState::load(StateReader& in, bool begun) {
+  if (!particles.load(in)) return false;
+  if (begun && !(contacts.load(in, bodies) && in.getAll(loads) && in.get(budget))) return false;
+  placeBodies();
+  const SkinBudget full = contacts.fullBudget();
+  return budget.outer <= full.outer && budget.inner <= full.inner;
+}
+
 }  // namespace bedmix

@@ -53,6 +53,12 @@ struct BedState {
   /// Sorts the particles in space, for a new contact list; false where not all are at finite places. Loads
   /// are zero afterwards.
   bool sort();
+
+  /// With all of the particles, but lists, loads and budget only once the lists have been made (`begun`).
+  void save(StateWriter& out, bool begun) const;
+  /// Into a bed of the same scene whose lists have not been made. False where `in` is not what save() wrote
+  /// of it.
+  [[nodiscard]] bool load(StateReader& in, bool begun);
 };
 
 }  // namespace bedmix

@@ -23,6 +23,16 @@ void atLeast(std::vector<T>& values, std::size_t size) {
   values.resize(size);
 }
 
+void saveHistory(StateWriter& out, const ContactSlots& slots) {
+  if (slots.spring.empty()) return;
+  out.putAll(std::span(slots.spring).first(slots.count));
+  out.putAll(std::span(slots.slip).first(slots.count));
+}
+bool loadHistory(StateReader& in, ContactSlots& slots) {
+  return slots.spring.empty() || (in.getAll(std::span(slots.spring).first(slots.count)) &&
+                                  in.getAll(std::span(slots.slip).first(slots.count)));
+}
+
 /// Blocks whose contacts are evaluated together: as large as a core's cache likes, but several strips, so
 /// that few contacts cross from one to the next.
 std::size_t contactBlocks(const Scene& scene, std::size_t particles) {
@@ -240,6 +250,65 @@ void ContactList::choose(std::span<const ContactBlock::Pair> candidates, const s
     count += static_cast<std::size_t>(dot(apart, apart) < reach * reach);
   }
   near.count = count;
+}
+
+// Candidates are found again from where the particles were; which of them are near depends on when that was
+// asked last, so it is told, candidate by candidate.
+void ContactList::save(StateWriter& out) const {
+  out.putAll(built_);
+  for (const ContactBlock& block : blocks_) {
+    out.put(static_cast<std::uint64_t>(block.touching));
+    out.put(block.deepest);
+    out.put(block.deepestId);
+    std::vector<std::uint8_t> isNear(block.candidateCount);
+    std::size_t met = 0;
+    for (std::size_t k = 0; k < isNear.size() && met < block.near.count; ++k) {
+      const auto& [first, second] = block.candidates[k];
+      isNear[k] = first == block.near.first[met] && second == block.near.second[met];
+      met += isNear[k];
+    }
+    out.putAll(isNear);
+    saveHistory(out, block.near);
+    saveHistory(out, block.crossing);
+    for (const ContactBlock::AtWall& w : block.walls) saveHistory(out, w.slots);
+  }
+}
+
+bool ContactList::load(StateReader& in, std::vector<Body>& bodies) {
+  std::vector<Vec2> places(bodies.size());
+  if (!in.getAll(places)) return false;
+  for (std::size_t i = 0; i < bodies.size(); ++i) bodies[i].position = places[i];
+  // They stand in the order that a list of these places gives them.
+  if (!sort(bodies) || !std::is_sorted(order().begin(), order().end())) return false;
+  ContactSlots spare;
+  for (std::size_t b = 0; b < blocks_.size(); ++b) find(b, bodies, spare);
+  link();
+  for (ContactBlock& block : blocks_) {
+    std::uint64_t touching = 0;
+    if (!(in.get(touching) && in.get(block.deepest) && in.get(block.deepestId) && loadNear(block, in) &&
+          loadHistory(in, block.near) && loadHistory(in, block.crossing)))
+      return false;
+    block.touching = touching;
+    for (ContactBlock::AtWall& w : block.walls)
+      if (!loadHistory(in, w.slots)) return false;
+  }
+  return true;
+}
+
+bool ContactList::loadNear(ContactBlock& block, StateReader& in) const {
+  std::vector<std::uint8_t> isNear(block.candidateCount);
+  if (!in.getAll(isNear)) return false;
+  ContactSlots& near = block.near;
+  near.reserve(isNear.size() - static_cast<std::size_t>(std::count(isNear.begin(), isNear.end(), 0)), true,
+               friction_);
+  near.count = 0;
+  for (std::size_t k = 0; k < isNear.size(); ++k) {
+    if (isNear[k] == 0) continue;
+    near.first[near.count] = block.candidates[k].first;
+    near.second[near.count++] = block.candidates[k].second;
+  }
+  near.pad(static_cast<std::int32_t>(block.particles.begin));
+  return true;
 }
 
 void ContactList::Displacements::add(double square) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "engine/core/blocks.h"
+#include "engine/core/state_bytes.h"
 #include "engine/core/vec2.h"
 #include "engine/dem/cell_order.h"
 #include "engine/dem/rows.h"
@@ -100,11 +101,17 @@ class ContactList {
   /// What is left of the skin after that; negative where it is too little to go on with.
   double remainder(const Displacements& d) const;
 
+  void save(StateWriter& out) const;
+  /// Into a list that has not been made yet, of particles in the order they had in the saved one. Leaves
+  /// `bodies` where they were when that was made. False where `in` is not what save() wrote of them.
+  [[nodiscard]] bool load(StateReader& in, std::vector<Body>& bodies);
+
  private:
   void rememberContacts();
   void findPairs(ContactBlock& block, const std::vector<Body>& bodies);
   void findWalls(ContactBlock& block, const std::vector<Body>& bodies);
   void recall(ContactSlots& slots, std::int32_t wall) const;
+  bool loadNear(ContactBlock& block, StateReader& in) const;
   template <bool friction>
   void choose(std::span<const ContactBlock::Pair> candidates, const std::vector<Body>& bodies,
               const ContactSlots& old, std::size_t& met, ContactSlots& near) const;

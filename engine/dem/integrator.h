@@ -5,8 +5,9 @@
 
 #include <cstdint>
 
-// Each integrator has begin(), called once before the first step, of a finite bed, and advance(). Positions,
-// velocities and histories belong to the same instant after either.
+// Each integrator has begin(), called once before the first step, of a finite bed, or goOn(), called in its
+// place where the bed was loaded, and advance(). Positions, velocities and histories belong to the same
+// instant after any of them.
 
 namespace bedmix {
 

@@ -51,9 +51,10 @@ class Solver final : public ParticleSolver {
   }
 
  private:
+  void goOn() override { integrator_.goOn(bed_); }
+
   Integrator integrator_;
   double maxOverlap_;  // m
-  bool begun_ = false;
 };
 
 }  // namespace
@@ -158,6 +159,19 @@ void ParticleSolver::hashInto(StateHash& hash) const {
     hash.add(static_cast<std::uint64_t>(b));
     hash.add(spring);
   }
+}
+
+void ParticleSolver::save(StateWriter& out) const {
+  out.put(static_cast<std::uint8_t>(begun_));
+  bed_.save(out, begun_);
+}
+
+bool ParticleSolver::load(StateReader& in) {
+  std::uint8_t begun = 0;
+  if (!in.get(begun) || begun > 1 || !bed_.load(in, begun == 1)) return false;
+  begun_ = begun == 1;
+  if (begun_) goOn();
+  return true;
 }
 
 }  // namespace bedmix

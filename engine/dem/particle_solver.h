@@ -60,13 +60,22 @@ class ParticleSolver {
   /// springs, the springs in the order of the ids of those that touch.
   void hashInto(StateHash& hash) const;
 
+  /// Everything the future depends on to the last bit, the order in memory and the age of the lists included.
+  void save(StateWriter& out) const;
+  /// Into a solver of the same scene, walls and number of particles that has not been advanced. False where
+  /// `in` is not what save() wrote of one; then the solver must not be used.
+  [[nodiscard]] bool load(StateReader& in);
+
  protected:
   ParticleSolver(const Scene& scene, Particles start, const std::vector<WallSegment>& walls,
                  ThreadTeam& team);
 
   BedState bed_;
+  bool begun_ = false;  // lists have been made
 
  private:
+  virtual void goOn() = 0;
+
   SpringDashpot pairLaw_, wallLaw_;
 };
 

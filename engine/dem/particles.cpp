@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <utility>
 
 namespace bedmix {
 
@@ -11,6 +12,26 @@ void Particles::addExternalForces() {
   external.resize(size());
   drag.resize(size());
   foreseen = position;
+}
+
+void Particles::save(StateWriter& out) const {
+  out.putAll(id);
+  out.putAll(position);
+  out.putAll(velocity);
+  out.putAll(spin);
+  out.putAll(external);
+  out.putAll(drag);
+  out.putAll(foreseen);
+}
+
+bool Particles::load(StateReader& in) {
+  if (!(in.getAll(id) && in.getAll(position) && in.getAll(velocity) && in.getAll(spin) &&
+        in.getAll(external) && in.getAll(drag) && in.getAll(foreseen)))
+    return false;
+  std::vector<std::uint8_t> seen(size());
+  for (const std::int32_t i : id)
+    if (i < 0 || static_cast<std::size_t>(i) >= size() || std::exchange(seen[i], 1)) return false;
+  return true;
 }
 
 Particles makeParticles(const Scene& scene, const std::vector<Vec2>& positions) {

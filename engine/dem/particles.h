@@ -2,6 +2,7 @@
 #pragma once
 
 #include "engine/core/scene.h"
+#include "engine/core/state_bytes.h"
 #include "engine/core/vec2.h"
 
 #include <cstddef>
@@ -31,6 +32,11 @@ struct Particles {
   std::size_t size() const { return position.size(); }
   /// Gives every particle an external force and a drag coefficient, both zero, foreseen where it is.
   void addExternalForces();
+
+  void save(StateWriter& out) const;
+  /// Into as many particles, of the same scene, with external forces where those have them. False where
+  /// `in` is not what save() wrote of them.
+  [[nodiscard]] bool load(StateReader& in);
 };
 
 /// The scene's spheres at rest with their centres at `positions`, m; ids count up from 0.

@@ -16,6 +16,7 @@ class RungeKutta4 {
   RungeKutta4(const Scene& scene, const BedState& bed);
 
   void begin(BedState& bed);
+  void goOn(BedState& bed) { fitHistory(bed); }
   StepOutcome advance(BedState& bed, std::int64_t steps, double maxOverlap);
 
  private:

@@ -17,6 +17,7 @@ class VelocityVerlet {
   VelocityVerlet(const Scene& scene, const BedState& bed);
 
   void begin(BedState& bed);
+  void goOn(BedState&) {}  // keeps nothing from step to step
   StepOutcome advance(BedState& bed, std::int64_t steps, double maxOverlap);
 
  private:

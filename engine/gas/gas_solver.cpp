@@ -62,6 +62,25 @@ void GasSolver::startWith(const std::vector<double>& voidage) {
   publish(alone);
 }
 
+void GasSolver::save(StateWriter& out) const {
+  out.putAll(grid_.inletFlux);
+  out.putAll(fields_.velocity);
+  out.putAll(pressure_);
+  out.putAll(voidage_);
+  out.putAll(faceVoidage_);
+}
+
+bool GasSolver::load(StateReader& in) {
+  std::vector<double> inletFlux(grid_.inletFlux.size());
+  if (!(in.getAll(inletFlux) && in.getAll(fields_.velocity) && in.getAll(pressure_) && in.getAll(voidage_) &&
+        in.getAll(faceVoidage_)))
+    return false;
+  setInletFlux(inletFlux);
+  Member alone;
+  publish(alone);
+  return true;
+}
+
 GasStepReport GasSolver::advance(const std::vector<double>& voidage) {
   if (!team_) {
     Member alone;

@@ -3,6 +3,7 @@
 
 #include "engine/core/gas_grid.h"
 #include "engine/core/scene.h"
+#include "engine/core/state_bytes.h"
 #include "engine/core/thread_team.h"
 #include "engine/gas/face_layout.h"
 #include "engine/gas/gas_fields.h"
@@ -44,6 +45,11 @@ class GasSolver {
   void startWith(const std::vector<double>& voidage);
   /// One step to the time at which `voidage` holds, with the particles' exchange() at that time.
   GasStepReport advance(const std::vector<double>& voidage);
+
+  /// What the next step starts from, what enters included.
+  void save(StateWriter& out) const;
+  /// Into a solver of the same scene. False where `in` is not what save() wrote of one.
+  [[nodiscard]] bool load(StateReader& in);
 
  private:
   GasStepReport step(Member& member, const std::vector<double>& voidage);

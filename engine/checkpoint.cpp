@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: MIT
+#include "engine/checkpoint.h"
+
+#include "engine/core/hash.h"
+#include "engine/core/scene_reader.h"
+#include "engine/core/state_bytes.h"
+
+#include <fmt/format.h>
+
+#include <cstring>
+#include <utility>
+
+namespace bedmix {
+
+namespace {
+
+/// Comes first, as it lies in memory, which also tells machines of another byte order apart. After it the
+/// state, then the checksum of both.
+struct Header {
+  std::uint64_t magic = 0x706b636d64656221;  // "!bedmckp"
+  std::uint64_t version = currentVersion;
+  std::uint64_t size = 0;   // of all, in bytes
+  std::uint64_t scene = 0;  // see sceneMark()
+  std::int64_t step = 0;
+  double wallSeconds = 0.0;
+
+  /// To be raised whenever a save() of the engine changes, or a result.
+  static constexpr std::uint64_t currentVersion = 1;
+};
+
+std::uint64_t checksum(std::span<const std::byte> bytes) {
+  StateHash hash;
+  hash.add(bytes);
+  return hash.value();
+}
+
+/// The same for scenes that differ in their duration alone.
+std::uint64_t sceneMark(Scene scene) {
+  scene.time.duration = 0.0;
+  const std::string text = writeScene(scene);
+  return checksum(std::as_bytes(std::span(text)));
+}
+
+/// The header of a whole checkpoint, or what is wrong with it.
+Result<Header> readHeader(std::span<const std::byte> bytes) {
+  const auto refuse = [](std::string why) {
+    return Diagnostic{{}, "the checkpoint " + std::move(why), Trouble::file};
+  };
+  Header header;
+  if (bytes.size() < sizeof header) return refuse("is cut off");
+  std::memcpy(&header, bytes.data(), sizeof header);
+  if (header.magic != Header{}.magic) return refuse("is none: it does not begin like one");
+  if (header.version != Header::currentVersion)
+    return refuse(fmt::format("is of version {}, this bedmix reads {}; go on with the program that wrote it",
+                              header.version, Header::currentVersion));
+  std::uint64_t sum = 0;
+  if (header.size < sizeof header + sizeof sum || header.size > bytes.size()) return refuse("is cut off");
+  const std::span whole = bytes.first(header.size);
+  std::memcpy(&sum, whole.last(sizeof sum).data(), sizeof sum);
+  if (sum != checksum(whole.first(whole.size() - sizeof sum)))
+    return refuse("is damaged: its checksum is another");
+  return header;
+}
+
+}  // namespace
+
+std::vector<std::byte> writeCheckpoint(const Simulation& simulation, const Scene& scene, double wallSeconds) {
+  StateWriter out;
+  out.put(Header{.scene = sceneMark(scene), .step = simulation.step(), .wallSeconds = wallSeconds});
+  simulation.save(out);
+  std::vector<std::byte> bytes = out.take();
+  const std::uint64_t size = bytes.size() + sizeof(std::uint64_t);
+  std::memcpy(bytes.data() + offsetof(Header, size), &size, sizeof size);
+  const std::uint64_t sum = checksum(bytes);
+  const auto* const end = reinterpret_cast<const std::byte*>(&sum);
+  bytes.insert(bytes.end(), end, end + sizeof sum);
+  return bytes;
+}
+
+std::optional<std::int64_t> checkpointStep(std::span<const std::byte> bytes) {
+  const Result<Header> header = readHeader(bytes);
+  if (!header) return std::nullopt;
+  return header->step;
+}
+
+Result<Resumed> readCheckpoint(std::span<const std::byte> bytes, const Scene& scene, int threads) {
+  const Result<Header> header = readHeader(bytes);
+  if (!header) return header.problems;
+  if (header->scene != sceneMark(scene))
+    return Diagnostic{{}, "the checkpoint is of another scene", Trouble::file};
+  const std::size_t state = header->size - sizeof(Header) - sizeof(std::uint64_t);
+  StateReader in(bytes.subspan(sizeof(Header), state));
+  std::optional<Simulation> simulation = Simulation::make(scene, in, threads);
+  if (!simulation || !in.done() || simulation->step() != header->step)
+    return Diagnostic{
+        {}, "the checkpoint does not fit its scene; it was not written by bedmix", Trouble::file};
+  return Resumed{std::move(*simulation), header->wallSeconds};
+}
+
+}  // namespace bedmix
