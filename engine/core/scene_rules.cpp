@@ -16,6 +16,9 @@ using std::numbers::pi;
 /// Relative difference below which two lengths or times given in decimals count as equal.
 constexpr double rounding = 1e-9;
 
+/// Voidage of a packed bed, where gas and particles hold each other closest.
+constexpr double packed = 0.4;
+
 /// Whole numbers up to here are exact in a double.
 constexpr double mostSteps = 1e15;
 
@@ -116,7 +119,34 @@ class Rules {
   void gas(const GasSettings& gas) {
     spansFill("gas.grid.columns", gas.grid.columns, "bed.width", scene_.bed.width);
     spansFill("gas.grid.rows", gas.grid.rows, "bed.height", scene_.bed.height);
+    exchange(gas);
     for (std::size_t i = 0; i < gas.inlets.size(); ++i) inlet(gas, i);
+  }
+
+  // Together gas and particles keep their volume: particles of a packed bed that are faster by v slow the gas
+  // by (1-e)/e v, and feel by drag and pressure (1-e^2)/e^2 v of it one gas step later, in as far as they
+  // relax within the step. And stopping that gas takes a pressure that changes their own velocity by
+  // (1-e)/e v times the densities' ratio. Neither may be more than twice v, or it grows from step to step.
+  void exchange(const GasSettings& gas) {
+    const ParticleSettings& p = scene_.particles;
+    if (p.count == 0) return;
+    const double relaxation =  // s; Ergun's viscous part
+        packed * p.density * p.diameter * p.diameter / (150.0 * (1.0 - packed) * gas.viscosity);
+    const double longest = 2.0 * packed * packed * relaxation;
+    if (gas.step > longest * (1.0 + rounding))
+      add("gas.step", {"particles.diameter", "particles.density", "gas.viscosity"},
+          fmt::format(
+              "a gas step of {} s is {:.3g} times as long as particles of a packed bed take to follow the "
+              "gas ({:.3g} s): gas and particles would overshoot each other more with every step. Take at "
+              "most {:.3g} s",
+              gas.step, gas.step / relaxation, relaxation, longest));
+    const double lightest = gas.density * (1.0 - packed) / (2.0 * packed);
+    if (p.density < lightest * (1.0 - rounding))
+      add("particles.density", {"gas.density"},
+          fmt::format(
+              "particles of {} kg/m3 are too light for a gas of {} kg/m3: gas and particles would overshoot "
+              "each other more with every step. Give at least {:.4g} kg/m3",
+              p.density, gas.density, lightest));
   }
 
   void spansFill(const std::string& path, const std::vector<GridSpan>& spans, const std::string& ofPath,

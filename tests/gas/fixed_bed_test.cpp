@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
+#include "tests/gas/fixed_bed.h"
+
 #include "engine/core/rng.h"
-#include "engine/coupling/exchange.h"
 #include "tests/gas/gas_scenes.h"
 
 #include <gtest/gtest.h>
@@ -11,46 +12,13 @@
 namespace bedmix {
 namespace {
 
-/// Gas through particles that are held in place.
-struct FixedBed {
-  Scene scene;
-  Particles particles;
-  ThreadTeam team{1};
-  GasSolver gas;
-  VoidageField voidage;
-  Exchange exchange;
-
-  FixedBed(const Scene& s, const std::vector<Vec2>& centres)
-      : scene(s),
-        particles(makeParticles(s, centres)),
-        gas(s, team),
-        voidage(s, gas.grid(), team),
-        exchange(s, gas, voidage, team) {
-    particles.addExternalForces();
-    voidage.update(particles.position);
-    gas.startWith(voidage.voidage());
-  }
-  GasStepReport step() {
-    voidage.update(particles.position);
-    exchange.evaluateDrag(particles, gas.exchange());
-    const GasStepReport r = gas.advance(voidage.voidage());
-    exchange.applyForces(particles);
-    return r;
-  }
-};
-
-double ergunGradient(double eps, double u, const Scene& s) {
-  const double d = s.particles.diameter, mu = s.gas->viscosity, rho = s.gas->density, e3 = eps * eps * eps;
-  return 150 * (1 - eps) * (1 - eps) * mu * u / (e3 * d * d) + 1.75 * (1 - eps) * rho * u * u / (e3 * d);
-}
-
 TEST(FixedBed, PressureDropIsErgunsWithin002Percent) {
   for (GasScheme scheme : {GasScheme::projection, GasScheme::simple}) {
     Scene scene = test::paperScene(1.3);
     scene.gravity = 0.0;
     scene.bed.top = BedTop::lid;  // the bed fills the grid: no taper
     scene.gas->scheme = scheme;
-    FixedBed bed(scene, test::squareLattice(scene));
+    test::FixedBed bed(scene, test::squareLattice(scene));
     for (int i = 0; i < 400; ++i) ASSERT_TRUE(bed.step().solved);
     const double eps = 1.0 - std::numbers::pi / 6.0;  // spheres in cubes of their diameter
     const GasGrid& grid = bed.gas.grid();
@@ -59,7 +27,7 @@ TEST(FixedBed, PressureDropIsErgunsWithin002Percent) {
     for (int c = 0; c < grid.columns; ++c)
       drop += (bed.gas.fields().pressure[grid.cell(c, 1)] - bed.gas.fields().pressure[grid.cell(c, 13)]) /
               grid.columns;
-    EXPECT_NEAR(drop / (12 * 0.012 * ergunGradient(eps, 1.3, scene)), 1.0, 2e-4) << modelName(scheme);
+    EXPECT_NEAR(drop / (12 * 0.012 * test::ergunGradient(eps, 1.3, scene)), 1.0, 2e-4) << modelName(scheme);
   }
 }
 
@@ -73,7 +41,7 @@ TEST(FixedBed, MomentumGivenIsMomentumTaken) {
     const double x = rng.uniform(0.002, 0.094);
     centres.push_back({x, rng.uniform(floorHeight(scene, x) + 0.001, 0.44)});
   }
-  FixedBed bed(scene, centres);
+  test::FixedBed bed(scene, centres);
   for (std::size_t i = 0; i < bed.particles.size(); ++i) {
     bed.particles.velocity[i].x = rng.uniform(-1.0, 1.0);
     bed.particles.velocity[i].y = rng.uniform(-1.0, 1.0);
@@ -126,7 +94,7 @@ TEST(FixedBed, MassBalanceHoldsWhileParticlesMove) {
   for (int i = 0; i < 1000; ++i) centres.push_back({rng.uniform(0.002, 0.094), rng.uniform(0.002, 0.16)});
   for (GasScheme scheme : {GasScheme::projection, GasScheme::simple}) {
     scene.gas->scheme = scheme;
-    FixedBed bed(scene, centres);
+    test::FixedBed bed(scene, centres);
     for (int step = 0; step < 50; ++step) {
       for (std::size_t i = 0; i < bed.particles.size(); ++i)
         bed.particles.position[i].y += 1e-4 * (1.0 + 0.5 * std::sin(i));

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: MIT
+#include "engine/core/scene_reader.h"
+#include "tests/hard/hard_beds.h"
+#include "tests/hard/hard_case.h"
+
+namespace bedmix::hard {
+
+namespace {
+
+/// Largest departure of the rebound from the exact one over the phases of a step at which contact begins.
+Check rebound(Scene scene, double restitution) {
+  scene.contacts.restitution = restitution;
+  constexpr double speed = 0.2;
+  constexpr int phases = 100;
+  double worst = 0.0;
+  for (int phase = 0; phase < phases; ++phase) {
+    const double gap = speed * scene.time.step * (phase + 0.5) / phases;
+    const auto solver = solverAt(scene, {{0.0, 0.0}, {scene.particles.diameter + gap, 0.0}});
+    solver->particles().velocity = {{0.5 * speed, 0.0}, {-0.5 * speed, 0.0}};
+    go(*solver, std::llround(20.0 / pairAngle(scene)));
+    const Particles& p = solver->particles();
+    worst = std::max(worst, std::abs((p.velocity[1].x - p.velocity[0].x) / speed - restitution));
+  }
+  const double angle = pairAngle(scene);
+  const double zeta =
+      pairDamping(scene) / (2.0 * std::sqrt(0.5 * particleMass(scene) * scene.contacts.stiffness));
+  return {fmt::format("restitution {:g}, worst of {} phases of the step", restitution, phases),
+          restitution * (angle * angle / 8.0 + 2.0 * zeta * angle),
+          "e ((w dt)^2/8 + 2 zeta w dt): spring and dashpot that begin and end inside a step", worst};
+}
+
+std::vector<Check> restitutions() {
+  return {rebound(smoothSpheres(), 0.05), rebound(smoothSpheres(), 0.9), rebound(smoothSpheres(), 1.0)};
+}
+
+Scene sceneWithStep(double ofScale) {
+  Scene scene = smoothSpheres();
+  scene.time.step = contactTimeScale(scene) / ofScale;
+  return scene;
+}
+
+double complaints(const Scene& scene) {
+  const auto all = contradictions(scene);
+  return static_cast<double>(
+      std::count_if(all.begin(), all.end(), [](const Contradiction& c) { return c.path == "time.step"; }));
+}
+
+std::vector<Check> allowed() {
+  std::vector<Check> checks;
+  for (const double ofScale : {14.1, 14.0}) {
+    const Scene scene = sceneWithStep(ofScale);
+    checks.push_back({fmt::format("T/{:g}: complaints", ofScale), 0.0, "", complaints(scene)});
+    checks.push_back(rebound(scene, 0.9));
+    checks.back().invariant = fmt::format("T/{:g}: ", ofScale) + checks.back().invariant;
+  }
+  return checks;
+}
+
+std::vector<Check> refused() {
+  return {{"T/13.9: missing complaints about time.step", 0.0, "the limit is T/14",
+           1.0 - complaints(sceneWithStep(13.9))}};
+}
+
+/// New contacts of two spheres in a box until the bed is stopped.
+double contactsUntilStopped(double ofScale) {
+  Scene scene = sceneWithStep(ofScale);
+  const auto solver = solverAt(scene, {{0.006, 0.0051}, {0.013, 0.0052}}, closedBox(0.02, 0.01));
+  solver->particles().velocity = {{0.5, 0.1}, {-0.4, 0.0}};
+  std::int64_t touching = 0;
+  double begun = 0.0;
+  for (int k = 0; k < 1000000; ++k) {
+    if (solver->advance(1)) return begun;
+    begun += static_cast<double>(std::max<std::int64_t>(0, solver->contactCount() - touching));
+    touching = solver->contactCount();
+  }
+  return infinity;
+}
+
+std::vector<Check> forced() {
+  std::vector<Check> checks;
+  for (const double ofScale : {4.0, 3.0, 2.0, 1.0})
+    checks.push_back({fmt::format("T/{:g}: contacts of a pair in a box until the stop", ofScale), 10.0,
+                      "w dt > 2 cos(zeta): amplitudes grow in each contact", contactsUntilStopped(ofScale)});
+  return checks;
+}
+
+}  // namespace
+
+std::vector<HardCase> stepCases() {
+  return {{"restitution 0.05 and 1", restitutions},
+          {"particle step just below and at the limit", allowed},
+          {"particle step above the limit", refused},
+          {"particle step above the limit, forced", forced}};
+}
+
+}  // namespace bedmix::hard
