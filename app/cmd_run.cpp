@@ -2,6 +2,7 @@
 #include "app/commands.h"
 #include "app/interrupt.h"
 #include "app/progress.h"
+#include "app/resume.h"
 #include "app/run_folder.h"
 #include "app/scene_library.h"
 #include "app/series.h"
@@ -11,6 +12,7 @@
 #include "engine/worker.h"
 #include "render/film_sink.h"
 #include "replay/summary.h"
+#include "replay/trajectory_reader.h"
 #include "replay/trajectory_writer.h"
 
 #include <CLI/CLI.hpp>
@@ -33,16 +35,24 @@ struct RunOptions {
   std::optional<std::string> until, seed;  // as TOML
   std::vector<std::string> settings;       // path=value
   std::string threads = automatic, simd = automatic;
-  bool video = false, force = false, json = false;
+  double checkpointSeconds = CheckpointSchedule{}.wallSeconds;
+  bool video = false, force = false, resume = false, json = false;
 };
 
 /// All that is recorded of a run, open for writing.
 struct Recording {
-  std::vector<std::unique_ptr<FileSink>> files;
+  Series series;
   std::optional<FilmSink> film;
+  std::optional<TrajectoryWriter> trajectory;
 
+  /// What is derived from frames.
+  void derive(const Frame& frame) {
+    for (const auto& file : series) file->accept(frame);
+    if (film) film->accept(frame);
+  }
   std::optional<Diagnostic> failure() const {
-    for (const auto& file : files)
+    if (trajectory && trajectory->failure()) return trajectory->failure();
+    for (const auto& file : series)
       if (file->failure()) return file->failure();
     return std::nullopt;
   }
@@ -61,14 +71,25 @@ Result<std::vector<Override>> overridesOf(const RunOptions& options) {
   return overrides;
 }
 
-Result<Recording> openRecording(const RunFolder& folder, const Scene& scene) {
-  auto trajectory = TrajectoryWriter::create(folder.trajectory(), scene, {programVersion, programCommit});
-  if (!trajectory) return trajectory.problems;
-  auto series = openSeries(folder, scene);
-  if (!series) return series.problems;
-  Recording recording{std::move(*series), {}};
-  recording.files.insert(recording.files.begin(), std::make_unique<TrajectoryWriter>(std::move(*trajectory)));
-  return recording;
+/// Makes the trajectory; or, to resume a run, derives everything anew from the frames recorded up to there
+/// and opens it after them.
+std::optional<Diagnostic> openTrajectory(Recording& recording, const RunFolder& folder, const Scene& scene,
+                                         std::optional<TrajectoryReader> recorded, const ResumePoint* point) {
+  if (recorded) {
+    for (std::size_t i = 0; i < point->frames; ++i) {
+      const auto frame = recorded->frame(i);
+      if (!frame) return frame.problems.front();
+      recording.derive(**frame);
+      if (recording.failure()) return recording.failure();
+    }
+    recorded.reset();  // before the file is written
+  }
+  auto trajectory =
+      point ? TrajectoryWriter::resume(folder.trajectory(), scene, point->frames, point->slot)
+            : TrajectoryWriter::create(folder.trajectory(), scene, {programVersion, programCommit});
+  if (!trajectory) return trajectory.problems.front();
+  recording.trajectory.emplace(std::move(*trajectory));
+  return std::nullopt;
 }
 
 /// What is wrong with --threads; empty where nothing is.
@@ -104,9 +125,11 @@ bool chooseVectors(const std::string& level) {
 /// Drains the solver into the recording until it ends, a stop is asked for or a file cannot be written.
 void follow(Worker& worker, Recording& recording, Progress& progress) {
   while (const FramePtr frame = worker.next()) {
-    for (const auto& file : recording.files) file->accept(*frame);
-    if (recording.film) recording.film->accept(*frame);
+    recording.trajectory->accept(*frame);
+    recording.derive(*frame);
+    if (const Checkpoint checkpoint = worker.checkpoint()) recording.trajectory->keep(*checkpoint);
     progress.accept(*frame);
+    if (checkpointRequested()) worker.requestCheckpoint();
     if (stopRequested() || recording.failure()) worker.requestStop();
   }
 }
@@ -158,40 +181,66 @@ ExitCode run(const RunOptions& options, const Console& console) {
     return console.fail("--simd " + options.simd,
                         fmt::format("this machine lacks it; it has {}", fmt::join(simdLevelsHere(), ", ")));
   const int threads = solverThreads(options, *scene);
-  const auto folder =
-      makeRunFolder(options.folder.empty() ? "out/" + scene->name : options.folder, options.force);
+  const std::string path = options.folder.empty() ? "out/" + scene->name : options.folder;
+  const auto folder = options.resume ? claimRunFolder(path) : makeRunFolder(path, options.force);
   if (!folder) return console.fail(folder.problems);
-  auto recording = openRecording(*folder, *scene);
-  if (!recording) return console.fail(recording.problems);
 
+  std::optional<TrajectoryReader> recorded;
+  std::optional<ResumePoint> point;
+  if (options.resume) {
+    auto reader = TrajectoryReader::open(folder->path);
+    if (!reader) return console.fail(reader.problems);
+    recorded.emplace(std::move(*reader));
+    auto found = findResumePoint(*recorded, *scene, threads, console);
+    if (!found) return console.fail(found.problems);
+    point.emplace(std::move(*found));
+    const Simulation& start = point->start.simulation;
+    if (start.step() > totalSteps(*scene)) {
+      console.say(fmt::format("this run has come to {:g} s already; nothing to do", start.time()));
+      return ExitCode::done;
+    }
+  }
+
+  auto series = openSeries(*folder, *scene);
+  if (!series) return console.fail(series.problems);
+  Recording recording{std::move(*series), {}, {}};
   ExitCode outcome = ExitCode::done;
   if (options.video) {
     FilmOptions film;
     film.paint.threads = paintThreads(threads);
     auto sink = FilmSink::create(*scene, folder->video(), film);
     if (sink) {
-      recording->film.emplace(std::move(*sink));
+      recording.film.emplace(std::move(*sink));
     } else {
       outcome = console.fail(sink.problems);
       console.warn("the run goes on without its film");
     }
   }
 
+  if (const auto failure =
+          openTrajectory(recording, *folder, *scene, std::move(recorded), point ? &*point : nullptr))
+    return console.fail(*failure);
+
   catchInterrupts();
   console.say(
       fmt::format("{} into {}", scene->title.empty() ? scene->name : scene->title, folder->path.string()));
-  if (scene->start.arrangement == Arrangement::settled) console.say("settling the bed ...");
-  Worker worker(*scene, threads);
+  if (point)
+    console.say(fmt::format("going on from {:g} s", point->start.simulation.time()));
+  else if (scene->start.arrangement == Arrangement::settled)
+    console.say("settling the bed ...");
+  const CheckpointSchedule schedule{.wallSeconds = options.checkpointSeconds};
+  Worker worker =
+      point ? Worker(*scene, std::move(point->start), schedule) : Worker(*scene, threads, schedule);
   {
     Progress progress(console, scene->time.duration);
-    follow(worker, *recording, progress);
+    follow(worker, recording, progress);
   }
 
-  if (recording->film)
-    if (const auto finished = recording->film->finish(); !finished) outcome = console.fail(finished.problems);
+  if (recording.film)
+    if (const auto finished = recording.film->finish(); !finished) outcome = console.fail(finished.problems);
   const RunEnd& end = worker.end();
   const RunSummary summary = summarize(*scene, end, threads);
-  auto fileFailure = recording->failure();
+  auto fileFailure = recording.failure();
   if (const auto failure = writeSummary(folder->summary(), summary, *scene); failure && !fileFailure)
     fileFailure = failure;
   if (fileFailure) return console.fail(*fileFailure);
@@ -244,9 +293,24 @@ void addRunCommand(CLI::App& program, CommandContext context) {
       ->type_name("PATH=VALUE")
       ->allow_extra_args(false);
   command->add_flag("--video", options->video, "Film the run into video.mp4 on the way");
-  command->add_flag("--force", options->force, "Replace an earlier run in the folder; other files are kept");
+  CLI::Option* const force = command->add_flag("--force", options->force,
+                                               "Replace an earlier run in the folder; other files are kept");
+  command
+      ->add_flag("--resume", options->resume,
+                 "Go on with the run in the folder, however it ended, to the same result to the bit")
+      ->excludes(force);
+  command
+      ->add_option(
+          "--checkpoint", options->checkpointSeconds,
+          "Wall seconds between checkpoints; there is one, too, each simulated second, at SIGUSR1 and "
+          "when the run ends or is stopped")
+      ->type_name("S")
+      ->check(CLI::NonNegativeNumber)
+      ->capture_default_str();
   command->add_flag("--json", options->json, "Print summary.json at the end");
-  command->footer("Example:\n  bedmix run tian-2007-even -o out/even --video --set particles.count=1180");
+  command->footer(
+      "Examples:\n  bedmix run tian-2007-even -o out/even --video --set particles.count=1180\n"
+      "  bedmix run tian-2007-even -o out/even --resume --until 20");
   command->callback([options, context] { context.outcome = run(*options, context.console); });
 }
 

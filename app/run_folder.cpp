@@ -3,6 +3,9 @@
 
 #include <fmt/core.h>
 
+#include <cerrno>
+#include <fcntl.h>
+#include <sys/file.h>
 #include <unistd.h>
 
 namespace fs = std::filesystem;
@@ -26,17 +29,39 @@ Result<RunFolder> makeFolder(const fs::path& path) {
   return RunFolder{path};
 }
 
+/// The folder itself is locked: nothing is left behind, whatever ends the program. Where a file system has no
+/// locks, the trajectory's own is all there is.
+Result<RunFolder> claim(RunFolder folder) {
+  const int descriptor = open(folder.path.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  if (descriptor < 0) return trouble(folder.path, std::error_code(errno, std::generic_category()).message());
+  folder.claim = std::shared_ptr<const void>(nullptr, [descriptor](const void*) { close(descriptor); });
+  if (flock(descriptor, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK)
+    return trouble(folder.path,
+                   "another bedmix is writing a run into this folder; wait for it or give another with -o");
+  return folder;
+}
+
 }  // namespace
+
+Result<RunFolder> claimRunFolder(const fs::path& path) {
+  std::error_code none;
+  if (!fs::exists(RunFolder{path}.trajectory(), none))
+    return trouble(path, "holds no run to go on with; leave out --resume to begin one");
+  Result<RunFolder> folder = makeFolder(path);
+  return folder ? claim(std::move(*folder)) : folder;
+}
 
 Result<RunFolder> makeRunFolder(const fs::path& path, bool force) {
   Result<RunFolder> folder = makeFolder(path);
+  if (folder) folder = claim(std::move(*folder));
   if (!folder) return folder;
   std::error_code error;
   if (fs::is_empty(path, error)) return folder;
   if (!force)
-    return Diagnostic{{path.string()},
-                      "this folder is not empty; give another with -o, or --force to replace the run "
-                      "in it (other files in it are kept)"};
+    return Diagnostic{
+        {path.string()},
+        "this folder is not empty; give another with -o, --resume to go on with the run in it, or "
+        "--force to replace that (other files in it are kept)"};
   const RunFolder old{path};
   for (const fs::path& file :
        {old.trajectory(), old.mixing(), old.flux(), old.pressure(), old.summary(), old.video()}) {

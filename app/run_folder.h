@@ -4,12 +4,15 @@
 #include "engine/core/diagnostic.h"
 
 #include <filesystem>
+#include <memory>
 
 namespace bedmix {
 
 /// The files of a run, by their fixed names.
 struct RunFolder {
   std::filesystem::path path;
+  /// Held by whoever writes a run into the folder, so that nobody else does; null for others.
+  std::shared_ptr<const void> claim = nullptr;
 
   std::filesystem::path trajectory() const { return path / "trajectory.h5"; }
   std::filesystem::path mixing() const { return path / "mixing.csv"; }
@@ -20,8 +23,12 @@ struct RunFolder {
 };
 
 /// Makes the folder of a new run. One that holds anything is refused, unless `force`: then the files of an
-/// earlier run are removed from it and all others are left alone.
+/// earlier run are removed from it and all others are left alone. Fails, too, where another program writes a
+/// run into it.
 Result<RunFolder> makeRunFolder(const std::filesystem::path& path, bool force);
+
+/// The folder of a run that is to be gone on with. Fails where there is none, and likewise.
+Result<RunFolder> claimRunFolder(const std::filesystem::path& path);
 
 /// Makes a folder for what is derived from a run. One that holds a trajectory is refused: its series belong
 /// to that run.

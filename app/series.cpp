@@ -10,8 +10,7 @@ namespace bedmix {
 namespace {
 
 template <class Sink>
-void keep(Result<Sink> sink, std::vector<std::unique_ptr<FileSink>>& series,
-          std::vector<Diagnostic>& problems) {
+void keep(Result<Sink> sink, Series& series, std::vector<Diagnostic>& problems) {
   if (sink)
     series.push_back(std::make_unique<Sink>(std::move(*sink)));
   else
@@ -20,8 +19,8 @@ void keep(Result<Sink> sink, std::vector<std::unique_ptr<FileSink>>& series,
 
 }  // namespace
 
-Result<std::vector<std::unique_ptr<FileSink>>> openSeries(const RunFolder& folder, const Scene& scene) {
-  std::vector<std::unique_ptr<FileSink>> series;
+Result<Series> openSeries(const RunFolder& folder, const Scene& scene) {
+  Series series;
   std::vector<Diagnostic> problems;
   keep(MixingLog::create(folder.mixing(), samplingGrid(scene)), series, problems);
   if (scene.flux) keep(FluxLog::create(folder.flux(), scene), series, problems);

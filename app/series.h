@@ -10,8 +10,10 @@
 
 namespace bedmix {
 
+using Series = std::vector<std::unique_ptr<FileSink>>;
+
 /// Makes the series the scene calls for in the folder: mixing.csv, with a flux window flux.csv, with gas
 /// pressure.csv.
-Result<std::vector<std::unique_ptr<FileSink>>> openSeries(const RunFolder& folder, const Scene& scene);
+Result<Series> openSeries(const RunFolder& folder, const Scene& scene);
 
 }  // namespace bedmix

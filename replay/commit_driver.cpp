@@ -39,6 +39,8 @@ herr_t refuse(const char* reason) {
   return -1;
 }
 
+constexpr hsize_t nodeSize = 2048, pageSize = 4096;
+
 bool writeAll(int descriptor, const unsigned char* bytes, std::size_t size, haddr_t at) {
   while (size > 0) {
     const ssize_t n = pwrite(descriptor, bytes, size, static_cast<off_t>(at));
@@ -88,7 +90,9 @@ herr_t writeFile(H5FD_t* base, H5FD_mem_t type, hid_t, haddr_t at, std::size_t s
   CommitFile& file = of(base);
   if (file.failed) return 0;  // HDF5 may close in peace
   const auto* bytes = static_cast<const unsigned char*>(from);
-  const std::size_t inside = at < file.finished ? std::min<std::size_t>(size, file.finished - at) : 0;
+  const bool isUnread = type == H5FD_MEM_DRAW && size > pageSize;
+  const std::size_t inside =
+      at < file.finished && !isUnread ? std::min<std::size_t>(size, file.finished - at) : 0;
   if (inside > 0) file.held.push_back({type, at, {bytes, bytes + inside}});
   if (writeAll(file.descriptor, bytes + inside, size - inside, at + inside)) return 0;
   file.failed = true;
@@ -182,7 +186,6 @@ void useCommitDriver(hid_t access) {
   H5Pset_driver(access, id, nullptr);
   // A kill can tear a write apart, but only between pages: the nodes of the trees, 2 to 3.7 kB, get a page
   // each.
-  constexpr hsize_t nodeSize = 2048, pageSize = 4096;
   H5Pset_alignment(access, nodeSize, pageSize);
 }
 

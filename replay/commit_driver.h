@@ -11,6 +11,8 @@ namespace bedmix {
 ///  - what is new goes behind the part that the last flush has finished, where no reader looks yet;
 ///  - what changes in that part is held back until the flush, when all that is new has been written, and then
 ///    goes in an order in which the file is right after every single write;
+///  - but the rows of frames, when longer than a page, and checkpoints go where they belong at once: a frame
+///    goes where none is that counts yet, and a checkpoint where one is that may be lost;
 ///  - after the first failure nothing is written any more, and what is new is cut off.
 /// The file is locked against a second writer before it is emptied.
 void useCommitDriver(hid_t access);

@@ -19,6 +19,13 @@ class FileSink : public FrameSink {
   }
   const std::optional<Diagnostic>& failure() const { return failure_; }
 
+ protected:
+  /// Does something else with the file, likewise.
+  template <class Action>
+  void unlessFailed(Action&& action) {
+    if (!failure_) failure_ = action();
+  }
+
  private:
   /// Writes one frame, or says why it could not.
   virtual std::optional<Diagnostic> write(const Frame& frame) = 0;

@@ -27,40 +27,67 @@ H5 space(std::size_t count) {
   return {H5Screate_simple(1, &dims, nullptr), "make a data space"};
 }
 
-H5 createFile(const std::filesystem::path& path) {
+H5 openFile(const std::filesystem::path& path, Origin origin) {
   quietHdf5();
   // The earliest format is the one that opens again after its writer was killed.
   H5 access(H5Pcreate(H5P_FILE_ACCESS), "set up the file");
   H5Pset_libver_bounds(access, H5F_LIBVER_EARLIEST, H5F_LIBVER_V18);
   useCommitDriver(access);
+  if (origin == Origin::found) return {H5Fopen(path.c_str(), H5F_ACC_RDWR, access), "open it for writing"};
   return {H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access), "make the file"};
 }
 
-H5 createSeries(hid_t file, const std::string& path, hid_t type, const std::vector<hsize_t>& row) {
-  // A number a frame shares a chunk with its neighbours in time; anything bigger has its own.
-  constexpr hsize_t numbersPerChunk = 128;
-  std::vector<hsize_t> extent{0}, largest{H5S_UNLIMITED}, chunk{row.empty() ? numbersPerChunk : 1};
-  for (hsize_t n : row) {
-    extent.push_back(n);
-    largest.push_back(n);
-    chunk.push_back(std::max<hsize_t>(n, 1));
-  }
-  const H5 dataSpace(H5Screate_simple(static_cast<int>(extent.size()), extent.data(), largest.data()),
-                     "make a data space");
+/// A dataset of so many dimensions that can grow along the first.
+H5 createGrowing(hid_t file, const std::string& path, hid_t type, const std::vector<hsize_t>& extent,
+                 const std::vector<hsize_t>& chunk) {
+  std::vector<hsize_t> largest = extent;
+  largest[0] = H5S_UNLIMITED;
+  const int dimensions = static_cast<int>(extent.size());
+  const H5 dataSpace(H5Screate_simple(dimensions, extent.data(), largest.data()), "make a data space");
   const H5 settings(H5Pcreate(H5P_DATASET_CREATE), "set up " + path);
-  checkHdf5(H5Pset_chunk(settings, static_cast<int>(chunk.size()), chunk.data()), "set up " + path);
+  checkHdf5(H5Pset_chunk(settings, dimensions, chunk.data()), "set up " + path);
   return {H5Dcreate2(file, path.c_str(), type, dataSpace, H5P_DEFAULT, settings, H5P_DEFAULT),
           "make " + path};
 }
 
+std::vector<hsize_t> extentOf(hid_t dataset, const std::string& path) {
+  const H5 dataSpace(H5Dget_space(dataset), "read the extents of " + path);
+  std::vector<hsize_t> extent(static_cast<std::size_t>(
+      checkHdf5(H5Sget_simple_extent_ndims(dataSpace), "read the extents of " + path)));
+  H5Sget_simple_extent_dims(dataSpace, extent.data(), nullptr);
+  return extent;
+}
+
+/// Of the same extents but for the first.
+H5 findGrowing(hid_t file, const std::string& path, std::vector<hsize_t> extent) {
+  H5 dataset(H5Dopen2(file, path.c_str(), H5P_DEFAULT), "find " + path);
+  const std::vector<hsize_t> found = extentOf(dataset, path);
+  if (!found.empty()) extent[0] = found[0];
+  if (found != extent) throw Hdf5Error(path + " has other extents than the scene asks for");
+  return dataset;
+}
+
+H5 openSeries(hid_t file, const std::string& path, hid_t type, const std::vector<hsize_t>& row,
+              Origin origin) {
+  // A number a frame shares a chunk with its neighbours in time; anything bigger has its own.
+  constexpr hsize_t numbersPerChunk = 128;
+  std::vector<hsize_t> extent{0}, chunk{row.empty() ? numbersPerChunk : 1};
+  for (hsize_t n : row) {
+    extent.push_back(n);
+    chunk.push_back(std::max<hsize_t>(n, 1));
+  }
+  return origin == Origin::found ? findGrowing(file, path, extent)
+                                 : createGrowing(file, path, type, extent, chunk);
+}
+
 }  // namespace
 
-TimeSeries::TimeSeries(hid_t file, std::string path, hid_t type, std::vector<hsize_t> row)
+TimeSeries::TimeSeries(hid_t file, std::string path, hid_t type, std::vector<hsize_t> row, Origin origin)
     : path_(std::move(path)),
       type_(type),
       row_(std::move(row)),
       rowBytes_(std::accumulate(row_.begin(), row_.end(), H5Tget_size(type), std::multiplies<>())),
-      dataset_(createSeries(file, path_, type, row_)) {}
+      dataset_(openSeries(file, path_, type, row_, origin)) {}
 
 void TimeSeries::append(hsize_t index, std::span<const std::byte> row) {
   if (row.size() != rowBytes_)
@@ -80,7 +107,31 @@ void TimeSeries::append(hsize_t index, std::span<const std::byte> row) {
   checkHdf5(H5Dwrite(dataset_, type_, rowSpace, fileSpace, H5P_DEFAULT, row.data()), "write " + path_);
 }
 
-Hdf5Output::Hdf5Output(const std::filesystem::path& path) : file_(createFile(path)) {}
+void TimeSeries::cut(hsize_t rows) {
+  std::vector<hsize_t> extent = extentOf(dataset_, path_);
+  if (extent[0] <= rows) return;
+  extent[0] = rows;
+  checkHdf5(H5Dset_extent(dataset_, extent.data()), "shorten " + path_);
+}
+
+ByteStore::ByteStore(hid_t file, std::string path, hsize_t chunk, Origin origin)
+    : path_(std::move(path)),
+      dataset_(origin == Origin::found ? findGrowing(file, path_, {0})
+                                       : createGrowing(file, path_, H5T_STD_U8LE, {0}, {chunk})) {}
+
+void ByteStore::write(std::span<const std::byte> bytes) {
+  const hsize_t start = 0, count = bytes.size();
+  if (extentOf(dataset_, path_)[0] < count) checkHdf5(H5Dset_extent(dataset_, &count), "extend " + path_);
+  const H5 fileSpace(H5Dget_space(dataset_), "extend " + path_);
+  const H5 byteSpace(H5Screate_simple(1, &count, nullptr), "write " + path_);
+  checkHdf5(H5Sselect_hyperslab(fileSpace, H5S_SELECT_SET, &start, nullptr, &count, nullptr),
+            "write " + path_);
+  checkHdf5(H5Dwrite(dataset_, H5T_NATIVE_UINT8, byteSpace, fileSpace, H5P_DEFAULT, bytes.data()),
+            "write " + path_);
+}
+
+Hdf5Output::Hdf5Output(const std::filesystem::path& path, Origin origin)
+    : origin_(origin), file_(openFile(path, origin)) {}
 
 void Hdf5Output::group(const std::string& path) const {
   H5(H5Gcreate2(file_, path.c_str(), H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT), "make " + path);
@@ -90,6 +141,14 @@ void Hdf5Output::text(const std::string& path, const std::string& value) const {
   const H5 type = textType(value.size());
   const H5 dataset(H5Dcreate2(file_, path.c_str(), type, space(1), H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT),
                    "make " + path);
+  checkHdf5(H5Dwrite(dataset, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, value.c_str()), "write " + path);
+}
+
+void Hdf5Output::replaceText(const std::string& path, const std::string& value) const {
+  const H5 dataset(H5Dopen2(file_, path.c_str(), H5P_DEFAULT), "find " + path);
+  const H5 type(H5Dget_type(dataset), "read the type of " + path);
+  if (H5Tget_size(type) != value.size())
+    throw Hdf5Error(path + " is of another length than what replaces it");
   checkHdf5(H5Dwrite(dataset, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, value.c_str()), "write " + path);
 }
 

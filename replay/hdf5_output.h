@@ -12,13 +12,19 @@
 
 namespace bedmix {
 
+/// Whether a file or what stands in it is made anew or there already.
+enum class Origin { made, found };
+
 /// One dataset that grows by a row a frame. Chunks are whole rows, so that a row is written once.
 class TimeSeries {
  public:
-  TimeSeries(hid_t file, std::string path, hid_t type, std::vector<hsize_t> row);
+  /// Fails where the one that is found has other extents.
+  TimeSeries(hid_t file, std::string path, hid_t type, std::vector<hsize_t> row, Origin origin);
 
   /// Writes row `index` and makes it the last one. `row` must have the size the series was made with.
   void append(hsize_t index, std::span<const std::byte> row);
+  /// Leaves no more than the first `rows`.
+  void cut(hsize_t rows);
 
  private:
   std::string path_;
@@ -28,10 +34,23 @@ class TimeSeries {
   H5 dataset_;
 };
 
+/// Bytes that are replaced as a whole. What is shorter than what it replaces is followed by the rest of that.
+class ByteStore {
+ public:
+  /// In chunks of that many bytes, where it is made.
+  ByteStore(hid_t file, std::string path, hsize_t chunk, Origin origin);
+  void write(std::span<const std::byte> bytes);
+
+ private:
+  std::string path_;
+  H5 dataset_;
+};
+
 /// An HDF5 file being written. Paths are absolute; a group is made before what lies in it.
 class Hdf5Output {
  public:
-  explicit Hdf5Output(const std::filesystem::path& path);
+  /// Makes the file anew, or opens the one that is there.
+  Hdf5Output(const std::filesystem::path& path, Origin origin);
 
   void group(const std::string& path) const;
   void text(const std::string& path, const std::string& value) const;
@@ -45,11 +64,15 @@ class Hdf5Output {
   void fixed(const std::string& path, std::span<const T> values) const {
     fixed(path, h5Type<T>(), {values.size()}, values.data());
   }
-  /// A dataset that grows, its `row` having these extents ({} for a number a frame).
+  /// A dataset that grows, its `row` having these extents ({} for a number a frame). Like bytes(), made or
+  /// found as the file is.
   template <class T>
   TimeSeries series(const std::string& path, std::vector<hsize_t> row) const {
-    return {file_, path, h5Type<T>(), std::move(row)};
+    return {file_, path, h5Type<T>(), std::move(row), origin_};
   }
+  ByteStore bytes(const std::string& path, hsize_t chunk) const { return {file_, path, chunk, origin_}; }
+  /// Writes other text of the same length over one that is there.
+  void replaceText(const std::string& path, const std::string& value) const;
   /// The same object under a second path.
   void link(const std::string& from, const std::string& to) const;
   /// Hands everything to the system, which then keeps it whatever becomes of this program.
@@ -59,6 +82,7 @@ class Hdf5Output {
   void fixed(const std::string& path, hid_t type, const std::vector<hsize_t>& extent,
              const void* values) const;
 
+  Origin origin_;
   H5 file_;
 };
 

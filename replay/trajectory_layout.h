@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <array>
+
 // What stands where in trajectory.h5, for its writer and its reader. T frames, N particles, gas cells in rows
 // and columns. A time-dependent element is a group with `value` and the `step` and `time` that all of them
 // share by hard links.
@@ -15,6 +17,8 @@
 //   observables/...              value[T] double, NaN where undefined
 //   parameters/scene             the scene as TOML, every default resolved
 //   parameters/...               scene_name, seed, version, commit
+//   bedmix/checkpoint/0, 1       bytes of the last two checkpoints, which are written by turns; see
+//                                engine/checkpoint.h, and what follows one is left over from longer ones
 //   bedmix/gas/x, y              faces of the gas grid, m; only with gas, like all below
 //   bedmix/gas/lowest_row        [columns], rows below are blocked
 //   bedmix/gas/voidage           value[T][rows][columns] float
@@ -35,6 +39,10 @@ inline constexpr const char* id = "particles/all/id";
 
 inline constexpr const char* scene = "parameters/scene";
 inline constexpr const char* sceneName = "parameters/scene_name";
+
+inline constexpr const char* bedmix = "bedmix";
+inline constexpr const char* checkpoint = "bedmix/checkpoint";
+inline constexpr std::array checkpointSlots{"bedmix/checkpoint/0", "bedmix/checkpoint/1"};
 
 inline constexpr const char* gas = "bedmix/gas";
 inline constexpr const char* voidage = "bedmix/gas/voidage";

@@ -184,6 +184,23 @@ Result<FramePtr> TrajectoryReader::frame(std::size_t index) {
   }
 }
 
+std::vector<std::vector<std::byte>> TrajectoryReader::checkpoints() const {
+  std::vector<std::vector<std::byte>> found;
+  for (const char* slot : layout::checkpointSlots) {
+    std::vector<std::byte>& bytes = found.emplace_back();
+    if (!state_->in.has(slot)) continue;
+    try {
+      const Hdf5Values values = state_->in.series(slot, {});
+      // No more than the file can hold, whatever it says.
+      bytes.resize(std::min<std::uintmax_t>(values.rows(), std::filesystem::file_size(state_->path)));
+      if (!bytes.empty()) values.readRows(bytes.size(), reinterpret_cast<std::uint8_t*>(bytes.data()));
+    } catch (const std::exception&) {
+      bytes.clear();
+    }
+  }
+  return found;
+}
+
 FramePtr TrajectoryReader::next() {
   if (state_->failure || state_->nextFrame == state_->times.size()) return nullptr;
   Result<FramePtr> read = frame(state_->nextFrame++);

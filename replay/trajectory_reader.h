@@ -33,6 +33,9 @@ class TrajectoryReader final : public FrameSource {
   /// Frame `index`, below times().size(). Fails where the file is damaged there or holds what is no number.
   Result<FramePtr> frame(std::size_t index);
 
+  /// What is there of checkpoints, whole or not, by the place each stands in; empty where there is none.
+  std::vector<std::vector<std::byte>> checkpoints() const;
+
   /// The frames in order. Null after the last, and where one cannot be read: then failure() says why.
   FramePtr next() override;
   const std::optional<Diagnostic>& failure() const;

@@ -8,6 +8,7 @@
 #include "replay/hdf5_output.h"
 #include "replay/trajectory_layout.h"
 
+#include <algorithm>
 #include <array>
 #include <functional>
 #include <limits>
@@ -40,8 +41,9 @@ double orNan(const std::optional<double>& value) {
 void writeHeader(const Hdf5Output& out, const Scene& scene, const Provenance& provenance) {
   constexpr std::int32_t h5mdVersion[] = {1, 1};
   constexpr std::int32_t dimension[] = {2};
-  for (const char* group : {"h5md", "h5md/author", "h5md/creator", "parameters", "particles",
-                            layout::particles, layout::box, "observables"})
+  for (const char* group :
+       {"h5md", "h5md/author", "h5md/creator", "parameters", "particles", layout::particles, layout::box,
+        "observables", layout::bedmix, layout::checkpoint})
     out.group(group);
   out.attribute("h5md", "version", h5mdVersion);
   out.attribute("h5md/author", "name", {"bedmix"});
@@ -60,7 +62,6 @@ void writeHeader(const Hdf5Output& out, const Scene& scene, const Provenance& pr
 }
 
 void writeGasGrid(const Hdf5Output& out, const GasGrid& grid) {
-  out.group("bedmix");
   out.group(layout::gas);
   out.fixed<double>(layout::gas + std::string("/x"), grid.x);
   out.fixed<double>(layout::gas + std::string("/y"), grid.y);
@@ -81,29 +82,43 @@ struct TrajectoryWriter::State {
   SamplingGrid sampling;
   std::optional<GasGrid> grid;
   Hdf5Output out;
+  Origin origin;
   std::optional<TimeSeries> step, time;  // of all elements
-  std::vector<Element> elements;
+  std::vector<Element> elements;         // positions first
+  std::vector<ByteStore> checkpoints;
+  std::size_t nextCheckpoint = 0;
   Observables seen{};
   std::vector<std::uint8_t> species;
   std::vector<std::int32_t> id;
   hsize_t frames = 0;
 
-  State(const std::filesystem::path& file, const Scene& s, const Provenance& provenance)
-      : path(file), scene(s), sampling(samplingGrid(s)), out(file) {
-    writeHeader(out, scene, provenance);
-    if (scene.gas) writeGasGrid(out, grid.emplace(makeGasGrid(scene)));
+  /// Makes the file, or goes on with the one that is there where no provenance is given.
+  State(const std::filesystem::path& file, const Scene& s, const Provenance* provenance)
+      : path(file),
+        scene(s),
+        sampling(samplingGrid(s)),
+        out(file, provenance ? Origin::made : Origin::found),
+        origin(provenance ? Origin::made : Origin::found) {
+    if (scene.gas) grid = makeGasGrid(scene);
+    if (provenance) {
+      writeHeader(out, scene, *provenance);
+      if (grid) writeGasGrid(out, *grid);
+    } else {
+      out.replaceText(layout::scene, writeScene(scene));
+    }
     addParticles();
     addObservables();
     if (grid) addGas();
+    addCheckpoints();
   }
 
   template <class T>
   void add(const std::string& name, std::vector<hsize_t> extent, std::function<Bytes(const Frame&)> row) {
-    out.group(name);
+    if (origin == Origin::made) out.group(name);
     if (elements.empty()) {
       step = out.series<std::int64_t>(name + "/step", {});
       time = out.series<double>(name + "/time", {});
-    } else {
+    } else if (origin == Origin::made) {
       out.link(layout::position + std::string("/step"), name + "/step");
       out.link(layout::position + std::string("/time"), name + "/time");
     }
@@ -137,11 +152,39 @@ struct TrajectoryWriter::State {
     add<float>(layout::gasVelocity, {rows, columns, 2}, [](const Frame& f) { return bytes(f.gas.velocity); });
   }
 
+  void addCheckpoints() {
+    // A few chunks each: they take room as a whole, and each costs time.
+    constexpr hsize_t page = 4096, largest = 1 << 20, perParticle = 100;
+    const hsize_t some = perParticle * static_cast<hsize_t>(scene.particles.count) / page * page;
+    for (const char* slot : layout::checkpointSlots)
+      checkpoints.push_back(out.bytes(slot, std::clamp(some, page, largest)));
+  }
+
+  /// Takes out what comes after the first `count` frames. Positions go first: then what is left of the others
+  /// belongs to no frame, and may go in any order.
+  void cut(hsize_t count) {
+    elements.front().value.cut(count);
+    out.flush();
+    for (Element& e : elements) e.value.cut(count);
+    time->cut(count);
+    step->cut(count);
+    out.flush();
+    frames = count;
+  }
+
+  void keep(std::span<const std::byte> checkpoint) {
+    checkpoints[nextCheckpoint].write(checkpoint);
+    out.flush();
+    nextCheckpoint = 1 - nextCheckpoint;
+  }
+
   /// Species and ids are written once, so they must not change.
   void writeConstants(const Frame& frame) {
-    if (frames == 0) {
+    if (species.empty()) {
       species = frame.species;
       id = frame.id;
+    }
+    if (frames == 0) {
       out.fixed<std::uint8_t>(layout::species, species);
       out.fixed<std::int32_t>(layout::id, id);
     }
@@ -174,7 +217,19 @@ struct TrajectoryWriter::State {
 Result<TrajectoryWriter> TrajectoryWriter::create(const std::filesystem::path& path, const Scene& scene,
                                                   const Provenance& provenance) {
   try {
-    return TrajectoryWriter(std::make_unique<State>(path, scene, provenance));
+    return TrajectoryWriter(std::make_unique<State>(path, scene, &provenance));
+  } catch (const Hdf5Error& e) {
+    return fileTrouble(path, e.what());
+  }
+}
+
+Result<TrajectoryWriter> TrajectoryWriter::resume(const std::filesystem::path& path, const Scene& scene,
+                                                  std::size_t frames, std::size_t sound) {
+  try {
+    auto state = std::make_unique<State>(path, scene, nullptr);
+    state->cut(frames);
+    state->nextCheckpoint = 1 - sound;
+    return TrajectoryWriter(std::move(state));
   } catch (const Hdf5Error& e) {
     return fileTrouble(path, e.what());
   }
@@ -192,6 +247,17 @@ std::optional<Diagnostic> TrajectoryWriter::write(const Frame& frame) {
   } catch (const Hdf5Error& e) {
     return fileTrouble(state_->path, e.what());
   }
+}
+
+void TrajectoryWriter::keep(std::span<const std::byte> checkpoint) {
+  unlessFailed([&]() -> std::optional<Diagnostic> {
+    try {
+      state_->keep(checkpoint);
+      return std::nullopt;
+    } catch (const Hdf5Error& e) {
+      return fileTrouble(state_->path, e.what());
+    }
+  });
 }
 
 std::string hdf5Version() {

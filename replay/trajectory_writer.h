@@ -4,8 +4,10 @@
 #include "engine/core/scene.h"
 #include "replay/file_sink.h"
 
+#include <cstddef>
 #include <filesystem>
 #include <memory>
+#include <span>
 #include <string>
 
 namespace bedmix {
@@ -24,9 +26,18 @@ class TrajectoryWriter final : public FileSink {
   /// Makes the file anew. Fails where it cannot be made.
   static Result<TrajectoryWriter> create(const std::filesystem::path& path, const Scene& scene,
                                          const Provenance& provenance);
+  /// Goes on with the file of a run of that scene, or of one that differs in its duration alone, after the
+  /// first `frames` of its frames, of which there must be as many. Later ones are taken out. `sound` is the
+  /// checkpoint not to be replaced by the next.
+  static Result<TrajectoryWriter> resume(const std::filesystem::path& path, const Scene& scene,
+                                         std::size_t frames, std::size_t sound);
   ~TrajectoryWriter() override;
   TrajectoryWriter(TrajectoryWriter&&) noexcept;
   TrajectoryWriter& operator=(TrajectoryWriter&&) noexcept;
+
+  /// Keeps a checkpoint of the run at the last frame, and the one before this. A failure is kept as that of a
+  /// frame is.
+  void keep(std::span<const std::byte> checkpoint);
 
  private:
   struct State;

@@ -137,7 +137,7 @@ TEST(H5mdWithoutEffects, AbsentEffectsLeaveNoTrace) {
   record(folder / "trajectory.h5", scene, 2);
   const hid_t file = H5Fopen((folder / "trajectory.h5").c_str(), H5F_ACC_RDONLY, H5P_DEFAULT);
   for (const char* path :
-       {"bedmix", "particles/all/angular_velocity", "observables/flux", "observables/pressure_drop"})
+       {"bedmix/gas", "particles/all/angular_velocity", "observables/flux", "observables/pressure_drop"})
     EXPECT_EQ(H5Lexists(file, path, H5P_DEFAULT), 0) << path;
   double lacey[2] = {0.0, 0.0};
   const hid_t dataset = H5Dopen2(file, "observables/lacey/value", H5P_DEFAULT);

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: MIT
+#include "app/resume.h"
+
+#include "engine/core/scene_reader.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <sstream>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace bedmix {
+
+namespace {
+
+/// Path and value of every setting, as in the text of a scene.
+std::vector<std::pair<std::string, std::string>> settingsOf(Scene scene) {
+  scene.time.duration = 0.0;
+  std::vector<std::pair<std::string, std::string>> settings;
+  std::istringstream text(writeScene(scene));
+  std::string table;
+  for (std::string line; std::getline(text, line);) {
+    const std::size_t equals = line.find(" = ");
+    if (line.starts_with('['))
+      table = line.substr(line.find_first_not_of('['), line.find(']') - line.find_first_not_of('[')) + '.';
+    else if (equals != std::string::npos)
+      settings.emplace_back(
+          table + line.substr(0, equals),
+          line.substr(equals + 3, line.find_last_not_of(' ', line.rfind("  # ")) - equals - 2));
+  }
+  return settings;
+}
+
+/// How many frames a run of the scene has recorded by a step; its last may come early.
+std::size_t framesUntil(std::int64_t step, const Scene& scene) {
+  const std::int64_t perFrame = stepsPerFrame(scene);
+  const bool isEarly = step == totalSteps(scene) && step % perFrame != 0;
+  return static_cast<std::size_t>(step / perFrame) + (isEarly ? 2 : 1);
+}
+
+}  // namespace
+
+std::optional<Diagnostic> sceneDifference(const Scene& recorded, const Scene& asked) {
+  const auto then = settingsOf(recorded), now = settingsOf(asked);
+  const auto [was, is] = std::mismatch(then.begin(), then.end(), now.begin(), now.end());
+  if (was == then.end() && is == now.end()) return std::nullopt;
+  const auto has = [](const auto& settings, const std::string& path) {
+    return std::any_of(settings.begin(), settings.end(), [&](const auto& s) { return s.first == path; });
+  };
+  std::string what;
+  if (was != then.end() && is != now.end() && was->first == is->first)
+    what = fmt::format("{} is {}, but {} in the recorded run", is->first, is->second, was->second);
+  else if (is == now.end() || (was != then.end() && !has(now, was->first)))
+    what = fmt::format("{} is {} in the recorded run, and missing here", was->first, was->second);
+  else
+    what = fmt::format("{} is {}, but not there in the recorded run", is->first, is->second);
+  return Diagnostic{{"--resume"},
+                    what + "; give the scene, --set and --seed of that run, only --until may be another"};
+}
+
+Result<ResumePoint> findResumePoint(const TrajectoryReader& recorded, const Scene& scene, int threads,
+                                    const Console& console) {
+  if (auto difference = sceneDifference(recorded.scene(), scene)) return *difference;
+  const std::vector<std::vector<std::byte>> found = recorded.checkpoints();
+  std::vector<std::pair<std::int64_t, std::size_t>> sound;  // step and place
+  for (std::size_t slot = 0; slot < found.size(); ++slot) {
+    if (const auto step = checkpointStep(found[slot]))
+      sound.emplace_back(*step, slot);
+    else if (!found[slot].empty())
+      console.warn("one checkpoint is not whole; the run goes on from the other");
+  }
+  std::sort(sound.rbegin(), sound.rend());
+  for (const auto& [step, slot] : sound) {
+    Result<Resumed> start = readCheckpoint(found[slot], scene, threads);
+    if (!start) {
+      console.warn(start.problems.front().message);
+      continue;
+    }
+    const std::size_t frames = framesUntil(step, scene);
+    if (frames <= recorded.times().size()) return ResumePoint{std::move(*start), frames, slot};
+    console.warn("a checkpoint is ahead of the recorded frames");
+  }
+  return Diagnostic{{"--resume"},
+                    "the run has no checkpoint to go on from; start it anew with --force in its place",
+                    Trouble::file};
+}
+
+}  // namespace bedmix
