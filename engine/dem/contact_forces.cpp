@@ -9,19 +9,19 @@ namespace {
 
 /// Keeps the deepest contact of a block; `distance2(slot)` is asked only where there is a deeper one.
 template <class Distance2>
-void watch(const BedState& bed, ContactBlock& block, const ContactSlots& slots, double reach,
+void watch(const BedState& bed, ContactBlock& block, const ContactSlots& slots, Range range, double reach,
            const KernelReport& report, Distance2&& distance2) {
   block.touching += report.touching;
   const double record = reach - block.deepest;
   if (!(report.closest2 < record * record)) return;
   block.deepest = reach - std::sqrt(report.closest2);
-  for (std::size_t c = 0; c < slots.count; ++c)
+  for (std::size_t c = range.begin; c < range.end; ++c)
     if (distance2(c) == report.closest2) block.deepestId = bed.particles.id[slots.first[c]];
 }
 
-void watchPairs(const BedState& bed, ContactBlock& block, const ContactSlots& slots, const Motion& at,
-                double reach, const KernelReport& report) {
-  watch(bed, block, slots, reach, report, [&](std::size_t c) {
+void watchPairs(const BedState& bed, ContactBlock& block, const ContactSlots& slots, Range range,
+                const Motion& at, double reach, const KernelReport& report) {
+  watch(bed, block, slots, range, reach, report, [&](std::size_t c) {
     const Vec2 apart = at.body[slots.second[c]].position - at.body[slots.first[c]].position;
     return dot(apart, apart);
   });
@@ -36,20 +36,28 @@ ContactForces::ContactForces(const Scene& scene, double halfStep) {
   wall_ = {wallLaw(scene), radius, halfStep, friction};
 }
 
-void ContactForces::addNear(BedState& bed, ContactBlock& block, const Motion& at, const Tangential& t) const {
-  const ContactSlots& s = block.near;
-  const KernelReport report =
-      pair_.pairs(at, {s.first.data(), s.second.data(), s.count}, t, bed.loads.data());
-  watchPairs(bed, block, s, at, pair_.law.reach, report);
-}
-
-void ContactForces::addCrossing(BedState& bed, ContactBlock& block, const Motion& at,
-                                const Tangential& t) const {
+void ContactForces::addCrossing(BedState& bed, std::size_t b, const Motion& at, const Tangential& t) const {
+  ContactBlock& block = bed.contacts.block(b);
+  block.touching = 0;
   const ContactSlots& s = block.crossing;
   if (s.count == 0) return;
-  const KernelReport report = pair_.crossing(at, {s.first.data(), s.second.data(), s.count}, t,
-                                             bed.loads.data(), block.crossingLoads.data());
-  watchPairs(bed, block, s, at, pair_.law.reach, report);
+  const Range all{0, s.count};
+  const KernelReport report = pair_.crossing(at, {s.first.data(), s.second.data(), all}, t, bed.loads.data(),
+                                             block.crossingLoads.data());
+  watchPairs(bed, block, s, all, at, pair_.law.reach, report);
+}
+
+void ContactForces::addWalls(BedState& bed, std::size_t b, const Motion& at) const {
+  ContactBlock& block = bed.contacts.block(b);
+  for (ContactBlock::AtWall& w : block.walls) addWall(bed, block, w, at, inPlace(w.slots));
+}
+
+void ContactForces::addNear(BedState& bed, std::size_t b, const Motion& at, Range slots,
+                            const Tangential& t) const {
+  ContactBlock& block = bed.contacts.block(b);
+  const ContactSlots& s = block.near;
+  const KernelReport report = pair_.pairs(at, {s.first.data(), s.second.data(), slots}, t, bed.loads.data());
+  watchPairs(bed, block, s, slots, at, pair_.law.reach, report);
 }
 
 void ContactForces::addWall(BedState& bed, ContactBlock& block, const ContactBlock::AtWall& w,
@@ -58,7 +66,7 @@ void ContactForces::addWall(BedState& bed, ContactBlock& block, const ContactBlo
   if (s.count == 0) return;
   const WallShape& wall = bed.contacts.walls()[w.wall];
   const KernelReport report = wall_.wall(at, wall, s.first.data(), s.count, t, bed.loads.data());
-  watch(bed, block, s, wall_.law.reach, report, [&](std::size_t c) {
+  watch(bed, block, s, {0, s.count}, wall_.law.reach, report, [&](std::size_t c) {
     Vec2 point;
     const Vec2 centre = at.body[s.first[c]].position;
     return wall.touchPoint(centre, point) ? dot(point - centre, point - centre) : -1.0;

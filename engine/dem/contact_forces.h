@@ -20,25 +20,27 @@ class ContactForces {
   /// Springs grow by halfStep (s) times their old and their new slip.
   ContactForces(const Scene& scene, double halfStep);
 
-  /// Adds the contacts of a block to its particles' loads, and keeps what goes to later blocks in it. Sums
-  /// run over pairs as they ascend, then over those that cross, then over walls; addIncoming() comes last.
-  /// history(slots, k) gives the history of the k-th array of contacts.
+  /// Adds the contacts of a block to its particles' loads, and keeps what goes to later blocks in it: those
+  /// that cross into later ones, then those at walls, then pairs within it as they ascend. history(slots, k)
+  /// gives the history of the k-th array of contacts.
   template <class History>
   void evaluate(BedState& bed, std::size_t b, const Motion& at, History&& history) const {
     ContactBlock& block = bed.contacts.block(b);
-    block.touching = 0;
     std::size_t k = 0;
-    addNear(bed, block, at, history(block.near, k++));
-    addCrossing(bed, block, at, history(block.crossing, k++));
+    addCrossing(bed, b, at, history(block.crossing, k++));
     for (ContactBlock::AtWall& w : block.walls) addWall(bed, block, w, at, history(w.slots, k++));
+    addNear(bed, b, at, {0, block.near.count}, history(block.near, k++));
   }
+
+  /// The same one after the other; crossing ones, which come first, may be added long before the rest.
+  void addCrossing(BedState& bed, std::size_t block, const Motion& at, const Tangential& t) const;
+  void addWalls(BedState& bed, std::size_t block, const Motion& at) const;
+  void addNear(BedState& bed, std::size_t block, const Motion& at, Range slots, const Tangential& t) const;
 
   /// Adds what contacts of earlier blocks do to this one's particles.
   static void addIncoming(BedState& bed, std::size_t block);
 
  private:
-  void addNear(BedState& bed, ContactBlock& block, const Motion& at, const Tangential& t) const;
-  void addCrossing(BedState& bed, ContactBlock& block, const Motion& at, const Tangential& t) const;
   void addWall(BedState& bed, ContactBlock& block, const ContactBlock::AtWall& w, const Motion& at,
                const Tangential& t) const;
 

@@ -214,12 +214,12 @@ KernelReport pairLoop(const ContactKernel& kernel, const Motion& motion, const P
   const Motion at = motion;  // copies, which no store can change
   const Tangential t = tangential;
   const std::int32_t *i = pairs.first, *j = pairs.second;
-  const std::size_t count = pairs.count;
+  const std::size_t end = pairs.slots.end;
   const M all = hn::FirstN(d, lanes);
   Law<friction> law(kernel);
-  std::size_t c = 0;
-  for (; c + lanes <= count; c += lanes) addPairs<friction, where>(law, at, i, j, c, all, t, loads, second);
-  if (c < count) addPairs<friction, where>(law, at, i, j, c, hn::FirstN(d, count - c), t, loads, second);
+  std::size_t c = pairs.slots.begin;
+  for (; c + lanes <= end; c += lanes) addPairs<friction, where>(law, at, i, j, c, all, t, loads, second);
+  if (c < end) addPairs<friction, where>(law, at, i, j, c, hn::FirstN(d, end - c), t, loads, second);
   return law.report();
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "engine/core/thread_team.h"
 #include "engine/dem/contact_law.h"
 #include "engine/dem/rows.h"
 #include "engine/dem/wall_shape.h"
@@ -19,11 +20,12 @@ struct Motion {
   const double* spin;
 };
 
-/// Pairs that may touch, side by side.
+/// Pairs that may touch, side by side; of them those in `slots`, which ends with a whole vector of eight or
+/// with the last of all.
 struct PairIndices {
   const std::int32_t* first;
   const std::int32_t* second;
-  std::size_t count;
+  Range slots;
 };
 
 /// Tangential spring (m, along t = (-n_y, n_x), n to the other) and slip (m/s) of each contact before and

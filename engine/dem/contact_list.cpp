@@ -13,7 +13,7 @@ constexpr double skinOverDiameter = 0.4;        // measured, see assets/docs/per
 constexpr double innerSkinOverDiameter = 0.04;  // likewise
 constexpr double leastRemainder = 0.125;  // of the skin; with less left a new list is cheaper than measuring
 constexpr std::size_t vector = 8;         // the longest vector, in doubles
-constexpr std::size_t stretch = 512;      // candidates looked at before room is made for more
+constexpr std::size_t portion = 512;      // candidates looked at before room is made for more
 
 /// Grows by a tenth and not, as resize() does by itself, to twice as much.
 template <class T>
@@ -219,8 +219,8 @@ void ContactList::refresh(std::size_t b, const std::vector<Body>& bodies, Contac
   block.near.count = 0;
   const ContactSlots& old = spare;
   std::size_t met = 0;  // of the old ones
-  for (std::size_t k = 0; k < block.candidateCount; k += stretch) {
-    const std::span some(block.candidates.data() + k, std::min(stretch, block.candidateCount - k));
+  for (std::size_t k = 0; k < block.candidateCount; k += portion) {
+    const std::span some(block.candidates.data() + k, std::min(portion, block.candidateCount - k));
     block.near.reserve(block.near.count + some.size(), true, friction_);
     if (friction_)
       choose<true>(some, bodies, old, met, block.near);
@@ -229,6 +229,23 @@ void ContactList::refresh(std::size_t b, const std::vector<Body>& bodies, Contac
   }
   block.near.reserve(block.near.count, true, friction_);
   block.near.pad(static_cast<std::int32_t>(block.particles.begin));
+  cutNear(block);
+}
+
+// A particle has had all its contacts in the block once those with it as the first are through, for they
+// ascend.
+void ContactList::cutNear(ContactBlock& block) {
+  const ContactSlots& near = block.near;
+  const std::size_t stretches = (block.particles.size() + ContactBlock::stretch - 1) / ContactBlock::stretch;
+  block.nearEnd.assign(stretches, 0);
+  for (std::size_t c = 0; c < near.count; ++c)
+    block.nearEnd[(static_cast<std::size_t>(near.first[c]) - block.particles.begin) / ContactBlock::stretch] =
+        c + 1;
+  std::size_t end = 0;
+  for (std::size_t& e : block.nearEnd) {
+    end = std::max(end, e);
+    e = std::min(near.count, (end + vector - 1) / vector * vector);
+  }
 }
 
 // No branch: who is near is packed to the front, and the old ones are met in the same order.
@@ -308,6 +325,7 @@ bool ContactList::loadNear(ContactBlock& block, StateReader& in) const {
     near.second[near.count++] = block.candidates[k].second;
   }
   near.pad(static_cast<std::int32_t>(block.particles.begin));
+  cutNear(block);
   return true;
 }
 

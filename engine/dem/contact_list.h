@@ -42,13 +42,18 @@ struct ContactBlock {
     ContactSlots slots;
   };
 
+  /// Particles that are moved together once their contacts are through, while they are in the innermost
+  /// cache.
+  static constexpr std::size_t stretch = 64;
+
   Range particles;
   std::vector<Pair> candidates;  // within the skin, both in the block; the first `candidateCount` are valid
   std::size_t candidateCount = 0;
-  ContactSlots near;                // those of them within the inner skin
-  ContactSlots crossing;            // within the skin, the second in a later block
-  std::vector<Load> crossingLoads;  // on the second ones
-  std::vector<Incoming> incoming;   // what this block gets from earlier ones, in their order
+  ContactSlots near;                 // those of them within the inner skin
+  std::vector<std::size_t> nearEnd;  // of each stretch of particles: where their contacts are through
+  ContactSlots crossing;             // within the skin, the second in a later block
+  std::vector<Load> crossingLoads;   // on the second ones
+  std::vector<Incoming> incoming;    // what this block gets from earlier ones, in their order
   std::vector<AtWall> walls;
 
   std::size_t touching = 0;  // at the last evaluation
@@ -110,6 +115,7 @@ class ContactList {
   void rememberContacts();
   void findPairs(ContactBlock& block, const std::vector<Body>& bodies);
   void findWalls(ContactBlock& block, const std::vector<Body>& bodies);
+  static void cutNear(ContactBlock& block);
   void recall(ContactSlots& slots, std::int32_t wall) const;
   bool loadNear(ContactBlock& block, StateReader& in) const;
   template <bool friction>

@@ -32,9 +32,9 @@ void forSlots(BedState& bed, Visit&& visit) {
   std::size_t k = 0;
   for (std::size_t b = 0; b < bed.contacts.blocks(); ++b) {
     ContactBlock& block = bed.contacts.block(b);
-    visit(block.near, k++);
     visit(block.crossing, k++);
     for (ContactBlock::AtWall& w : block.walls) visit(w.slots, k++);
+    visit(block.near, k++);
   }
 }
 

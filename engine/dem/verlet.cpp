@@ -6,6 +6,14 @@
 
 namespace bedmix {
 
+namespace {
+
+/// Of so many steps one is timed, for all: looking at the clock after each stretch of particles takes time
+/// itself. A prime number, so that each step of a gas step gets its turn.
+constexpr int timedSteps = 13;
+
+}  // namespace
+
 VelocityVerlet::VelocityVerlet(const Scene& scene, const BedState& bed)
     : atStart_(scene, 0.0),
       contacts_(scene, 0.5 * bed.step),
@@ -41,7 +49,9 @@ void VelocityVerlet::begin(BedState& bed) {
   bed.team.run([&](int index) {
     Member m = start(bed, index);
     rebuild(bed, m);
-    for (std::size_t b = m.blocks.begin; b < m.blocks.end; ++b) evaluate(bed, b, atStart_);
+    const Motion at{bed.bodies.data(), bed.spinAhead.data()};
+    for (std::size_t b = m.blocks.begin; b < m.blocks.end; ++b)
+      atStart_.evaluate(bed, b, at, [](ContactSlots& slots, std::size_t) { return inPlace(slots); });
     bed.team.barrier();
     for (std::size_t b = m.blocks.begin; b < m.blocks.end; ++b) ContactForces::addIncoming(bed, b);
     if (index == 0) bed.budget = m.budget;
@@ -57,50 +67,70 @@ StepOutcome VelocityVerlet::advance(BedState& bed, std::int64_t steps, double ma
     if (index != 0) return;
     outcome = m.outcome;
     bed.budget = m.budget;
-    bed.seconds.neighbours += m.seconds.neighbours;
-    bed.seconds.contacts += m.seconds.contacts;
-    bed.seconds.integrate += m.seconds.integrate;
+    bed.seconds.neighbours += timedSteps * m.seconds.neighbours;
+    bed.seconds.contacts += timedSteps * m.seconds.contacts;
+    bed.seconds.integrate += timedSteps * m.seconds.integrate;
   });
+  taken_ += outcome.steps;
   for (const double v2 : fastest2_) outcome.finite &= std::isfinite(v2);
   if (outcome.steps < steps || !outcome.finite)
     for (std::size_t i = 0; i < bed.bodies.size(); ++i) bed.particles.position[i] = bed.bodies[i].position;
   return outcome;
 }
 
-// Block after block is evaluated and moved at once, while it is in the cache: its contacts are all with
-// itself and with later blocks, which have not moved yet. Only blocks whose contacts reach into those of the
-// next member come first.
+// Particles are moved as soon as their contacts are through, while they are in the cache: contacts are all
+// with who comes later in memory, and those have not moved yet. Only contacts that reach into the next
+// member's blocks come before that.
 void VelocityVerlet::walk(BedState& bed, Member& m, std::int64_t steps, double maxOverlap) {
+  const Motion at{bed.bodies.data(), bed.spinAhead.data()};
+  const auto addCrossing = [&](std::size_t b) {
+    contacts_.addCrossing(bed, b, at, inPlace(bed.contacts.block(b).crossing));
+  };
   const MotionKernel kernel = motion(bed);
-  const auto particles = [&](std::size_t b) { return bed.contacts.block(b).particles; };
-  for (std::size_t b = m.blocks.begin; b < m.blocks.end; ++b) fastest2_[b] = kernel.drift(particles(b));
+  for (std::size_t b = m.blocks.begin; b < m.blocks.end; ++b)
+    fastest2_[b] = kernel.drift(bed.contacts.block(b).particles);
   for (std::int64_t& taken = m.outcome.steps; taken < steps;) {
     bed.team.barrier();
-    m.lap(m.seconds.integrate);
+    m.timed = m.index == 0 && (taken_ + taken) % timedSteps == 0;
+    m.lap(nullptr);
     if (taken > 0 && *std::max_element(deepest_.begin(), deepest_.end()) > maxOverlap) return;
     m.outcome.finite = keepLists(bed, m);
-    m.lap(m.seconds.neighbours);
+    m.lap(&m.seconds.neighbours);
     if (!m.outcome.finite) return;
 
     const std::size_t inner =
         m.blocks.size() > bed.contacts.reach() ? m.blocks.end - bed.contacts.reach() : m.blocks.begin;
-    for (std::size_t b = inner; b < m.blocks.end; ++b) evaluate(bed, b, contacts_);
+    for (std::size_t b = inner; b < m.blocks.end; ++b) addCrossing(b);
     bed.team.barrier();
     const bool last = ++taken == steps;
     for (std::size_t b = m.blocks.begin; b < m.blocks.end; ++b) {
-      if (b < inner) evaluate(bed, b, contacts_);
+      if (b < inner) addCrossing(b);
+      contacts_.addWalls(bed, b, at);
       ContactForces::addIncoming(bed, b);
-      m.lap(m.seconds.contacts);
+      fastest2_[b] = finish(bed, b, m, kernel, last);
       deepest_[b] = bed.contacts.block(b).deepest;
-      fastest2_[b] = last ? kernel.kick(particles(b)) : kernel.kickAndDrift(particles(b));
-      m.lap(m.seconds.integrate);
     }
   }
 }
 
-void VelocityVerlet::evaluate(BedState& bed, std::size_t block, const ContactForces& contacts) const {
+// The pairs of a block and the end of its particles' step. Returns the square of the largest speed.
+double VelocityVerlet::finish(BedState& bed, std::size_t b, Member& m, const MotionKernel& kernel,
+                              bool last) const {
   const Motion at{bed.bodies.data(), bed.spinAhead.data()};
-  contacts.evaluate(bed, block, at, [](ContactSlots& slots, std::size_t) { return inPlace(slots); });
+  ContactBlock& block = bed.contacts.block(b);
+  const Tangential history = inPlace(block.near);
+  double fastest2 = 0.0;
+  Range slots, particles = block.particles;
+  for (const std::size_t end : block.nearEnd) {
+    slots = {slots.end, end};
+    contacts_.addNear(bed, b, at, slots, history);
+    m.lap(&m.seconds.contacts);
+    particles.end = std::min(particles.begin + ContactBlock::stretch, block.particles.end);
+    fastest2 = std::max(fastest2, last ? kernel.kick(particles) : kernel.kickAndDrift(particles));
+    particles.begin = particles.end;
+    m.lap(&m.seconds.integrate);
+  }
+  return fastest2;
 }
 
 // Every member comes to the same decisions, so that all meet as often.

@@ -30,16 +30,19 @@ class VelocityVerlet {
     DemSeconds seconds;
     StepOutcome outcome;
 
-    /// The first one's time stands for all.
-    void lap(double& stage) {
-      if (index == 0) timer.lap(stage);
+    bool timed = false;
+
+    /// Adds to a stage, where this step is timed; none at its begin.
+    void lap(double* stage) {
+      double skipped = 0.0;
+      if (timed) timer.lap(stage ? *stage : skipped);
     }
   };
   Member start(const BedState& bed, int index) const;
   void walk(BedState& bed, Member& m, std::int64_t steps, double maxOverlap);
   bool keepLists(BedState& bed, Member& m);
   bool rebuild(BedState& bed, Member& m);
-  void evaluate(BedState& bed, std::size_t block, const ContactForces& contacts) const;
+  double finish(BedState& bed, std::size_t b, Member& m, const MotionKernel& kernel, bool last) const;
   MotionKernel motion(BedState& bed) const;
 
   ContactForces atStart_, contacts_;
@@ -49,6 +52,7 @@ class VelocityVerlet {
   std::vector<double> deepest_;   // overlap, m
   std::vector<ContactList::Displacements> displacements_;
   bool sorted_ = true;
+  std::int64_t taken_ = 0;  // steps, of all calls
 };
 
 }  // namespace bedmix

@@ -24,7 +24,6 @@ class Builder {
          {&out_.faceArea, &out_.solved, &out_.alongSide, &out_.acrossSide, &out_.wall, &out_.weightBefore})
       field->assign(faces, 0.0);
     out_.volume.assign(faces, 1.0);
-    for (int f = 0; f < out_.faces(); ++f) out_.openFace.push_back(f);
     out_.voidageCell.assign(places, 0);
     out_.open.assign(places, 0.0);
   }
@@ -79,7 +78,6 @@ class Builder {
       for (int j = -1; j < g_.rows; ++j) {
         const int f = out_.uFace(i, j), nearest = std::max(j, lowest);
         out_.weightBefore[f] = weightBefore(i - 1, nearest, i, nearest);
-        out_.openFace[f] = out_.uFace(i, nearest);
         if (j >= 0) out_.faceArea[f] = g_.dy(j) * g_.thickness;
       }
     }
@@ -90,7 +88,6 @@ class Builder {
       for (int j = 0; j <= g_.rows; ++j) {
         const int f = out_.vFace(i, j);
         out_.weightBefore[f] = weightBefore(i, j - 1, i, j);
-        out_.openFace[f] = out_.vFace(i, std::max(j, g_.lowestRow[i]));
         out_.faceArea[f] = g_.dx(i) * g_.thickness;
       }
   }

@@ -56,9 +56,6 @@ struct FaceLayout {
 
   // Per face:
   std::vector<double> faceArea;  // m2, 0 outside the grid
-  /// The face a particle takes its gas velocity from: itself, or the lowest open one of its column where the
-  /// particle dips into blocked cells.
-  std::vector<int> openFace;
   std::vector<double> solved;        // 1 where there is a momentum volume, else 0
   std::vector<double> volume;        // m3; 1 where nothing is solved
   std::vector<double> alongSide;     // lower side along: area over distance to that neighbour, m
