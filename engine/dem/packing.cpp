@@ -97,6 +97,18 @@ std::optional<DemTrouble> settle(const Scene& scene, ParticleSolver& solver) {
   return std::nullopt;
 }
 
+const char* what(DemTrouble::Kind kind) {
+  switch (kind) {
+    case DemTrouble::Kind::nonFinite:
+      return "a coordinate";
+    case DemTrouble::Kind::overlap:
+      return "overlap over diameter";
+    case DemTrouble::Kind::speed:
+      break;
+  }
+  return "way in a step over diameter";
+}
+
 }  // namespace
 
 Result<Particles> packBed(const Scene& scene, ThreadTeam& team) {
@@ -112,10 +124,10 @@ Result<Particles> packBed(const Scene& scene, ThreadTeam& team) {
   calm.time.integrator = Integrator::velocityVerlet;
   const auto solver = ParticleSolver::make(calm, std::move(start), bedWalls(scene), team);
   if (const auto trouble = settle(scene, *solver))
-    return Diagnostic({}, fmt::format("start: while the bed settled, {} of particle {} became {:.3g} ({}); "
-                                      "take a smaller time.step or a larger contacts.stiffness",
-                                      trouble->nonFinite ? "a coordinate" : "overlap over diameter",
-                                      trouble->particle, trouble->value, trouble->stage));
+    return Diagnostic({},
+                      fmt::format("start: while the bed settled, {} of particle {} became {:.3g} ({}); "
+                                  "take a smaller time.step or a larger contacts.stiffness",
+                                  what(trouble->kind), trouble->particle, trouble->value, trouble->stage));
   return makeParticles(scene, inOrderOfIds(solver->particles()).position);
 }
 

@@ -19,10 +19,10 @@ std::optional<DemTrouble> findNonFinite(const Particles& p, const char* stage) {
     const std::int64_t particle = p.id[i];
     if (!p.external.empty())
       for (const double force : {p.external[i].x, p.external[i].y, p.drag[i]})
-        if (!std::isfinite(force)) return DemTrouble{particle, force, true, "drag"};
+        if (!std::isfinite(force)) return DemTrouble{particle, force, DemTrouble::Kind::nonFinite, "drag"};
     for (const double value : {p.position[i].x, p.position[i].y, p.velocity[i].x, p.velocity[i].y,
                                p.spin.empty() ? 0.0 : p.spin[i], dot(p.velocity[i], p.velocity[i])})
-      if (!std::isfinite(value)) return DemTrouble{particle, value, true, stage};
+      if (!std::isfinite(value)) return DemTrouble{particle, value, DemTrouble::Kind::nonFinite, stage};
   }
   return std::nullopt;
 }
@@ -33,7 +33,8 @@ class Solver final : public ParticleSolver {
   Solver(const Scene& scene, Particles start, const std::vector<WallSegment>& walls, ThreadTeam& team)
       : ParticleSolver(scene, std::move(start), walls, team),
         integrator_(scene, bed_),
-        maxOverlap_(scene.limits.maxOverlap * scene.particles.diameter) {}
+        maxOverlap_(scene.limits.maxOverlap * scene.particles.diameter),
+        stepInDiameters_(scene.time.step / scene.particles.diameter) {}
 
   std::optional<DemTrouble> advance(std::int64_t steps) override {
     if (!begun_) {
@@ -45,7 +46,9 @@ class Solver final : public ParticleSolver {
     std::optional<DemTrouble> trouble;
     if (!outcome.finite) trouble = findNonFinite(bed_.particles, "integrate");
     if (!trouble && steps > 0 && deepestOverlap(bed_) > maxOverlap_)
-      trouble = DemTrouble{largestOverlapParticle(), largestOverlap(), false, "contacts"};
+      trouble = DemTrouble{largestOverlapParticle(), largestOverlap(), DemTrouble::Kind::overlap, "contacts"};
+    if (const Fastest f = fastest(); !trouble && f.speed * stepInDiameters_ > furthestInAStep)
+      trouble = DemTrouble{f.particle, f.speed * stepInDiameters_, DemTrouble::Kind::speed, "integrate"};
     if (trouble) trouble->steps = outcome.steps;
     return trouble;
   }
@@ -54,7 +57,8 @@ class Solver final : public ParticleSolver {
   void goOn() override { integrator_.goOn(bed_); }
 
   Integrator integrator_;
-  double maxOverlap_;  // m
+  double maxOverlap_;       // m
+  double stepInDiameters_;  // s/m
 };
 
 }  // namespace
@@ -80,6 +84,20 @@ std::int64_t ParticleSolver::largestOverlapParticle() const {
     deepest = std::max(deepest, block.deepest);
   }
   return particle;
+}
+
+ParticleSolver::Fastest ParticleSolver::fastest() const {
+  const Particles& p = bed_.particles;
+  Fastest found;
+  double largest = 0.0;  // square
+  for (std::size_t i = 0; i < p.size(); ++i) {
+    const double square = dot(p.velocity[i], p.velocity[i]);
+    if (square <= largest) continue;
+    largest = square;
+    found.particle = p.id[i];
+  }
+  found.speed = std::sqrt(largest);
+  return found;
 }
 
 std::int64_t ParticleSolver::contactCount() const {

@@ -16,12 +16,19 @@ namespace bedmix {
 
 /// Why a bed cannot be advanced further.
 struct DemTrouble {
+  /// Something is not finite; overlaps above the scene's limit; moves further in a step than
+  /// furthestInAStep.
+  enum class Kind { nonFinite, overlap, speed };
   std::int64_t particle = -1;
-  double value = 0.0;      // the value that is not finite, or the overlap over the diameter
-  bool nonFinite = false;  // else the overlap is above the scene's limit
+  double value = 0.0;  // the value that is not finite; overlap or way in a step, in diameters
+  Kind kind = Kind::overlap;
   const char* stage = "";  // where it was noticed: "start", "drag", "contacts" or "integrate"
   std::int64_t steps = 0;  // of the call to advance() that had been taken by then
 };
+
+/// Diameters. Who goes through a wall at this or less is within reach of it, and seen to overlap it by more
+/// than a tenth of a diameter, in one step at least.
+inline constexpr double furthestInAStep = 0.5;
 
 /// Soft spheres after Tian et al. (2007), Eqs (1) and (5) to (7), advanced in time under gravity, contacts
 /// and external forces. Contact law and integrator are composed when the solver is made. Two solvers of the
@@ -46,6 +53,12 @@ class ParticleSolver {
   /// Deepest contact since the start, of a diameter, and the id of one whose it was (-1 without any).
   double largestOverlap() const { return deepestOverlap(bed_) / (2.0 * bed_.particles.radius); }
   std::int64_t largestOverlapParticle() const;
+  /// The largest speed after the last call of advance(), m/s, and whose it was.
+  struct Fastest {
+    std::int64_t particle = -1;
+    double speed = 0.0;
+  };
+  Fastest fastest() const;
   /// Touching pairs and wall contacts at the last step.
   std::int64_t contactCount() const;
   std::int64_t neighbourBuilds() const { return bed_.contacts.builds(); }

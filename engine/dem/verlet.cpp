@@ -8,9 +8,9 @@ namespace bedmix {
 
 namespace {
 
-/// Of so many steps one is timed, for all: looking at the clock after each stretch of particles takes time
-/// itself. A prime number, so that each step of a gas step gets its turn.
-constexpr int timedSteps = 13;
+/// How contacts and motion share the time is looked at in one of so many steps: to ask the clock after each
+/// stretch of particles takes time itself. A prime number, so that each step of a gas step gets its turn.
+constexpr int sampledSteps = 13;
 
 }  // namespace
 
@@ -23,7 +23,7 @@ VelocityVerlet::VelocityVerlet(const Scene& scene, const BedState& bed)
       displacements_(bed.contacts.blocks()) {}
 
 VelocityVerlet::Member VelocityVerlet::start(const BedState& bed, int index) const {
-  return {index, bed.team.share(bed.contacts.blocks(), index), bed.budget, {}, {}, {}};
+  return {.index = index, .blocks = bed.team.share(bed.contacts.blocks(), index), .budget = bed.budget};
 }
 
 // Null where there are none: the kernel leaves out what a scene does not use.
@@ -67,9 +67,11 @@ StepOutcome VelocityVerlet::advance(BedState& bed, std::int64_t steps, double ma
     if (index != 0) return;
     outcome = m.outcome;
     bed.budget = m.budget;
-    bed.seconds.neighbours += timedSteps * m.seconds.neighbours;
-    bed.seconds.contacts += timedSteps * m.seconds.contacts;
-    bed.seconds.integrate += timedSteps * m.seconds.integrate;
+    m.lap(m.others);
+    const double share = contactShare_ / std::max(contactShare_ + motionShare_, 1e-12);
+    bed.seconds.neighbours += m.neighbours;
+    bed.seconds.contacts += share * m.others;
+    bed.seconds.integrate += (1.0 - share) * m.others;
   });
   taken_ += outcome.steps;
   for (const double v2 : fastest2_) outcome.finite &= std::isfinite(v2);
@@ -91,17 +93,18 @@ void VelocityVerlet::walk(BedState& bed, Member& m, std::int64_t steps, double m
     fastest2_[b] = kernel.drift(bed.contacts.block(b).particles);
   for (std::int64_t& taken = m.outcome.steps; taken < steps;) {
     bed.team.barrier();
-    m.timed = m.index == 0 && (taken_ + taken) % timedSteps == 0;
-    m.lap(nullptr);
+    m.lap(m.others);
+    m.sampled = m.index == 0 && (taken_ + taken) % sampledSteps == 0;
     if (taken > 0 && *std::max_element(deepest_.begin(), deepest_.end()) > maxOverlap) return;
     m.outcome.finite = keepLists(bed, m);
-    m.lap(&m.seconds.neighbours);
+    m.lap(m.neighbours);
     if (!m.outcome.finite) return;
 
     const std::size_t inner =
         m.blocks.size() > bed.contacts.reach() ? m.blocks.end - bed.contacts.reach() : m.blocks.begin;
     for (std::size_t b = inner; b < m.blocks.end; ++b) addCrossing(b);
     bed.team.barrier();
+    m.sample(nullptr);
     const bool last = ++taken == steps;
     for (std::size_t b = m.blocks.begin; b < m.blocks.end; ++b) {
       if (b < inner) addCrossing(b);
@@ -115,7 +118,7 @@ void VelocityVerlet::walk(BedState& bed, Member& m, std::int64_t steps, double m
 
 // The pairs of a block and the end of its particles' step. Returns the square of the largest speed.
 double VelocityVerlet::finish(BedState& bed, std::size_t b, Member& m, const MotionKernel& kernel,
-                              bool last) const {
+                              bool last) {
   const Motion at{bed.bodies.data(), bed.spinAhead.data()};
   ContactBlock& block = bed.contacts.block(b);
   const Tangential history = inPlace(block.near);
@@ -124,11 +127,11 @@ double VelocityVerlet::finish(BedState& bed, std::size_t b, Member& m, const Mot
   for (const std::size_t end : block.nearEnd) {
     slots = {slots.end, end};
     contacts_.addNear(bed, b, at, slots, history);
-    m.lap(&m.seconds.contacts);
+    m.sample(&contactShare_);
     particles.end = std::min(particles.begin + ContactBlock::stretch, block.particles.end);
     fastest2 = std::max(fastest2, last ? kernel.kick(particles) : kernel.kickAndDrift(particles));
     particles.begin = particles.end;
-    m.lap(&m.seconds.integrate);
+    m.sample(&motionShare_);
   }
   return fastest2;
 }

@@ -26,23 +26,26 @@ class VelocityVerlet {
     int index;
     Range blocks;
     SkinBudget budget;
-    LapTimer timer;
-    DemSeconds seconds;
-    StepOutcome outcome;
+    StepOutcome outcome = {};
+    // Wall seconds of the first member, which stand for all; `sampled` where this step is looked at closely.
+    double neighbours = 0.0, others = 0.0;
+    bool sampled = false;
+    LapTimer timer = {}, closer = {};
 
-    bool timed = false;
-
-    /// Adds to a stage, where this step is timed; none at its begin.
-    void lap(double* stage) {
+    void lap(double& stage) {
+      if (index == 0) timer.lap(stage);
+    }
+    /// Adds to a share, or to none.
+    void sample(double* share) {
       double skipped = 0.0;
-      if (timed) timer.lap(stage ? *stage : skipped);
+      if (sampled) closer.lap(share ? *share : skipped);
     }
   };
   Member start(const BedState& bed, int index) const;
   void walk(BedState& bed, Member& m, std::int64_t steps, double maxOverlap);
   bool keepLists(BedState& bed, Member& m);
   bool rebuild(BedState& bed, Member& m);
-  double finish(BedState& bed, std::size_t b, Member& m, const MotionKernel& kernel, bool last) const;
+  double finish(BedState& bed, std::size_t b, Member& m, const MotionKernel& kernel, bool last);
   MotionKernel motion(BedState& bed) const;
 
   ContactForces atStart_, contacts_;
@@ -52,7 +55,8 @@ class VelocityVerlet {
   std::vector<double> deepest_;   // overlap, m
   std::vector<ContactList::Displacements> displacements_;
   bool sorted_ = true;
-  std::int64_t taken_ = 0;  // steps, of all calls
+  std::int64_t taken_ = 0;                         // steps, of all calls
+  double contactShare_ = 0.0, motionShare_ = 0.0;  // s, of the sampled steps
 };
 
 }  // namespace bedmix
