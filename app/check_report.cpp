@@ -78,6 +78,8 @@ class Report {
       add("duration of a contact", "none", "", "overdamped: particles do not rebound");
     }
     add("particle step", step, "s", fmt::format("T/{:.4g}; allowed from T/14 on", scale / step));
+    add("hardest impact", scene_.limits.maxOverlap * scene_.particles.diameter * std::sqrt(2.0 * k / mass),
+        "m/s", "two particles, head-on: deeper than limits.max_overlap beyond it");
   }
 
   void gas(const GasSettings& settings) {

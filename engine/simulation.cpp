@@ -22,6 +22,8 @@ namespace {
 /// Below this the drag laws mean nothing and the gas equations lose their diagonal; spheres in a slab of
 /// their own diameter reach 0.40 at the densest packing without overlap.
 constexpr double voidageFloor = 0.15;
+/// The pressure is solved to 1e-12 of the inflow; this far off it was not.
+constexpr double worstMassResidual = 1e-6;
 
 /// Adds the time since the last call to a stage.
 class StageClock {
@@ -67,6 +69,13 @@ GasFrame gasFrame(const GasSolver& gas) {
   return out;
 }
 
+std::string inCell(const GasGrid& grid, std::size_t cell) {
+  const auto columns = static_cast<std::size_t>(grid.columns);
+  const std::size_t column = cell % columns, row = cell / columns;
+  return fmt::format("in the cell at x = {:.4g} m, y = {:.4g} m", 0.5 * (grid.x[column] + grid.x[column + 1]),
+                     0.5 * (grid.y[row] + grid.y[row + 1]));
+}
+
 }  // namespace
 
 int threadsFor(std::int64_t particles, int cores) {
@@ -98,11 +107,16 @@ std::optional<std::string> Simulation::State::gasStep() {
   report.aboveGridLargest = std::max(report.aboveGridLargest, gas->voidage.aboveGrid());
   const double lowest = gas->voidage.lowest();
   clock.lap(Stage::voidage);
-  if (!(lowest > voidageFloor))
+  report.lowestVoidage = std::min(report.lowestVoidage, lowest);
+  if (!(lowest > voidageFloor)) {
+    const std::vector<double>& voidage = gas->voidage.voidage();
+    const auto cell = std::min_element(voidage.begin(), voidage.end()) - voidage.begin();
     return fmt::format(
-        "voidage {:.3g} at t = {:.6g} s is below {}: particles overlap too far for the gas equations; "
-        "use a stiffer contact (contacts.stiffness) or a smaller time.step",
-        lowest, timeOfStep(scene, step), voidageFloor);
+        "voidage {:.3g} {} (voidage) at t = {:.6g} s is below {}: particles overlap too far for the gas "
+        "equations; use a stiffer contact (contacts.stiffness) or a smaller time.step",
+        lowest, inCell(gas->solver.grid(), static_cast<std::size_t>(cell)), timeOfStep(scene, step),
+        voidageFloor);
+  }
 
   gas->exchange.evaluateDrag(particles, gas->solver.exchange());
   clock.lap(Stage::drag);
@@ -110,10 +124,16 @@ std::optional<std::string> Simulation::State::gasStep() {
   ++gasSteps;
   report.gasStepsNotConverged += !r.converged;
   report.largestMassResidual = std::max(report.largestMassResidual, r.massResidual);
+  report.largestCourant = std::max(report.largestCourant, r.courant);
   clock.lap(Stage::gas);
   if (!r.solved)
-    return fmt::format("the gas has no finite solution at t = {:.6g} s; use a smaller gas.step",
+    return fmt::format("the gas has no finite solution (gas) at t = {:.6g} s; use a smaller gas.step",
                        timeOfStep(scene, step));
+  if (r.massResidual > worstMassResidual)
+    return fmt::format(
+        "a cell of the gas lacks {:.3g} of all that enters (gas) at t = {:.6g} s, more than {}: its pressure "
+        "could not be solved; use a smaller gas.step",
+        r.massResidual, timeOfStep(scene, step), worstMassResidual);
 
   gas->exchange.applyForces(particles);
   clock.lap(Stage::drag);
@@ -130,9 +150,19 @@ std::optional<std::string> Simulation::State::particleSteps(std::int64_t n) {
   step += trouble ? trouble->steps : n;
   report.largestOverlap = solver->largestOverlap();
   report.largestOverlapParticle = solver->largestOverlapParticle();
+  if (const auto fastest = solver->fastest(); fastest.speed > report.largestSpeed) {
+    report.largestSpeed = fastest.speed;
+    report.largestSpeedParticle = fastest.particle;
+  }
   if (!trouble) return std::nullopt;
   const double time = timeOfStep(scene, step);
-  if (trouble->nonFinite)
+  if (trouble->kind == DemTrouble::Kind::speed)
+    return fmt::format(
+        "particle {} moves {:.3g} of its diameter in a step ({}) at t = {:.6g} s, more than {}: it could "
+        "pass "
+        "walls unseen; use a smaller time.step",
+        trouble->particle, trouble->value, trouble->stage, time, furthestInAStep);
+  if (trouble->kind == DemTrouble::Kind::nonFinite)
     return fmt::format("particle {} is no longer finite ({}) at t = {:.6g} s; use a smaller time.step",
                        trouble->particle, trouble->stage, time);
   return fmt::format(
@@ -174,7 +204,11 @@ void Simulation::save(StateWriter& out) const {
   out.put(s.report.largestOverlapParticle);
   out.put(s.report.gasStepsNotConverged);
   out.put(s.report.largestMassResidual);
+  out.put(s.report.largestCourant);
+  out.put(s.report.lowestVoidage);
   out.put(s.report.aboveGridLargest);
+  out.put(s.report.largestSpeed);
+  out.put(s.report.largestSpeedParticle);
   out.putAll(s.species);
   out.putAll(s.id);
   s.solver->save(out);
@@ -184,8 +218,10 @@ void Simulation::save(StateWriter& out) const {
 bool Simulation::State::load(StateReader& in) {
   return in.get(step) && step >= 0 && in.get(gasSteps) && in.get(seconds) && in.get(report.largestOverlap) &&
          in.get(report.largestOverlapParticle) && in.get(report.gasStepsNotConverged) &&
-         in.get(report.largestMassResidual) && in.get(report.aboveGridLargest) && in.getAll(species) &&
-         in.getAll(id) && solver->load(in) && (!gas || gas->solver.load(in));
+         in.get(report.largestMassResidual) && in.get(report.largestCourant) &&
+         in.get(report.lowestVoidage) && in.get(report.aboveGridLargest) && in.get(report.largestSpeed) &&
+         in.get(report.largestSpeedParticle) && in.getAll(species) && in.getAll(id) && solver->load(in) &&
+         (!gas || gas->solver.load(in));
 }
 
 std::optional<Simulation> Simulation::make(const Scene& scene, StateReader& in, int threads) {

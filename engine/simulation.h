@@ -31,7 +31,11 @@ struct StepReport {
   std::int64_t largestOverlapParticle = -1;
   std::int64_t gasStepsNotConverged = 0;
   double largestMassResidual = 0.0;   // of the gas, relative to the inflow
+  double largestCourant = 0.0;        // of the gas: cells it passes in a step
+  double lowestVoidage = 1.0;         // of a cell
   std::int64_t aboveGridLargest = 0;  // particles above the gas grid at one time
+  double largestSpeed = 0.0;          // m/s, at a gas step or the end of a call
+  std::int64_t largestSpeedParticle = -1;
 };
 
 /// How many of `cores` threads pay off for a bed: below some 10,000 particles they wait for each other longer

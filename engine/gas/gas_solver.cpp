@@ -52,7 +52,7 @@ void GasSolver::setInletFlux(const std::vector<double>& superficial) {
   for (std::size_t column = 0; column < layout_.floor.size(); ++column) {
     FloorFace& f = layout_.floor[column];
     f.flux = superficial[column] * f.area;
-    inflow_ += f.flux;
+    inflow_ += std::abs(f.flux);
   }
 }
 
@@ -104,6 +104,7 @@ GasStepReport GasSolver::step(Member& member, const std::vector<double>& voidage
   GasStepReport report = scheme_ == GasScheme::projection ? project(member) : simple(member);
   report.massResidual = massResidual(member);
   report.solved = report.solved && std::isfinite(report.massResidual);
+  report.courant = courant(member);
   publish(member);
   return report;
 }
@@ -150,6 +151,18 @@ double GasSolver::massResidual(Member& member) {
   });
   if (!std::isfinite(all.sum)) return all.sum;
   return inflow_ > 0.0 ? all.largest / inflow_ : all.largest;
+}
+
+double GasSolver::courant(Member& member) {
+  double mine = 0.0;
+  const Range rows = member.share(layout_.rows);
+  for (int row = static_cast<int>(rows.begin); row < static_cast<int>(rows.end); ++row)
+    for (int column = 0; column < layout_.columns; ++column) {
+      mine = std::max(mine, std::abs(fields_.velocity[layout_.uFace(column, row)]) / layout_.width[column]);
+      mine = std::max(mine, std::abs(fields_.velocity[layout_.vFace(column, row)]) / layout_.height[row]);
+    }
+  const auto larger = [](Residual a, Residual b) { return Residual{std::max(a.largest, b.largest), 0.0}; };
+  return step_ * reduction_.overShares(member, {mine, 0.0}, larger).largest;
 }
 
 bool GasSolver::preparePressure(Member& member) {

@@ -21,6 +21,7 @@ struct GasStepReport {
   bool solved = true;         // false: the equations are no longer finite
   bool converged = true;      // false: the outer loop met its limit (SIMPLE)
   double massResidual = 0.0;  // largest |imbalance| of a cell over the total inflow
+  double courant = 0.0;       // largest |velocity| times the step over the size of the cell
 };
 
 /// Incompressible gas in the voids: volume-averaged continuity and momentum, Tian et al. (2007), Eqs (8) and
@@ -60,6 +61,7 @@ class GasSolver {
   void updateImbalance(Member& member);
   /// Its largest magnitude over the inflow; not a number where one is none.
   double massResidual(Member& member);
+  double courant(Member& member);
   [[nodiscard]] bool preparePressure(Member& member);
   /// Solves for a pressure correction that closes continuity but for a share of `left`, and applies it to the
   /// velocities, and `pressureShare` of it to the pressure.

@@ -84,6 +84,18 @@ INSTANTIATE_TEST_SUITE_P(
                 "the nearest is 0.01001 s"},
         Spoiled{"GasStep", [](Scene& s) { s.gas->step = 2.5e-5; }, "gas.step", "must be a whole number"},
         Spoiled{"GasStepBelow", [](Scene& s) { s.gas->step = 1e-6; }, "gas.step", "the nearest is 1e-05 s"},
+        Spoiled{"GasStepBeyondRelaxation",
+                [](Scene& s) {
+                  s.gas->viscosity = 0.01;  // 2 x 0.4^3 density d^2/(150 x 0.6 viscosity) = 3.41 ms
+                  s.gas->step = 3.5e-3;
+                },
+                "gas.step", "Take at most 0.00341 s"},
+        Spoiled{"TooLightForTheGas",
+                [](Scene& s) {
+                  s.gas->density = 2001.0;
+                  s.gas->minimumFluidizationVelocity = 1.0;
+                },
+                "particles.density", "Give at least 1501 kg/m3"},
         Spoiled{"Endless", [](Scene& s) { s.time.duration = 1e12; }, "time.duration", "at most 1e+15"},
         Spoiled{"Columns", [](Scene& s) { s.gas->grid.columns[0].count = 5; }, "gas.grid.columns",
                 "add up to 0.06 m, but bed.width is 0.048 m"},

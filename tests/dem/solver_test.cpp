@@ -70,7 +70,7 @@ TEST(Solver, NamesTheParticleThatIsNotFinite) {
     start->particles().velocity[1].y = nan;
     auto trouble = start->advance(1);
     ASSERT_TRUE(trouble);
-    EXPECT_TRUE(trouble->nonFinite);
+    EXPECT_EQ(trouble->kind, DemTrouble::Kind::nonFinite);
     EXPECT_EQ(trouble->particle, 1);
     EXPECT_STREQ(trouble->stage, "start");
 
@@ -80,7 +80,7 @@ TEST(Solver, NamesTheParticleThatIsNotFinite) {
     dragged->particles().external[2].x = nan;
     trouble = dragged->advance(10);
     ASSERT_TRUE(trouble);
-    EXPECT_TRUE(trouble->nonFinite);
+    EXPECT_EQ(trouble->kind, DemTrouble::Kind::nonFinite);
     EXPECT_TRUE(std::isnan(trouble->value));
     EXPECT_EQ(trouble->particle, 2);
     EXPECT_STREQ(trouble->stage, "drag");
@@ -90,9 +90,34 @@ TEST(Solver, NamesTheParticleThatIsNotFinite) {
     torn->particles().external[0].x = 1e308;  // finite, but the speed soon is not
     trouble = torn->advance(10000);
     ASSERT_TRUE(trouble);
-    EXPECT_TRUE(trouble->nonFinite);
+    EXPECT_EQ(trouble->kind, DemTrouble::Kind::nonFinite);
     EXPECT_EQ(trouble->particle, 0);
     EXPECT_STREQ(trouble->stage, "integrate");
+  }
+}
+
+// A wall that is passed within one step is not seen: nothing overlaps it before or after.
+TEST(Solver, StopsBeforeAParticlePassesAWallUnseen) {
+  for (const Integrator integrator : {Integrator::velocityVerlet, Integrator::rk4}) {
+    Scene scene = smoothSpheres();
+    scene.time.integrator = integrator;
+    const double d = scene.particles.diameter, tooFast = 1.01 * furthestInAStep * d / scene.time.step;
+    const auto solver = solverAt(scene, {{0.0, 30.0 * d}, {3.0 * d, 20.6 * d}}, wideFloor());
+    solver->particles().velocity[1].y = -tooFast;
+    const auto trouble = solver->advance(10);
+    ASSERT_TRUE(trouble);
+    EXPECT_EQ(trouble->kind, DemTrouble::Kind::speed);
+    EXPECT_EQ(trouble->particle, 1);
+    EXPECT_NEAR(trouble->value, 1.01 * furthestInAStep, 1e-9);
+
+    // At the limit it is seen by its overlap, wherever its steps fall.
+    for (double phase = 0.0; phase < 1.0; phase += 0.1) {
+      const auto seen = solverAt(scene, {{0.0, (4.0 + phase * furthestInAStep) * d}}, wideFloor());
+      seen->particles().velocity[0].y = -0.999 * furthestInAStep * d / scene.time.step;
+      const auto overlap = seen->advance(20);
+      ASSERT_TRUE(overlap) << phase;
+      EXPECT_EQ(overlap->kind, DemTrouble::Kind::overlap) << phase;
+    }
   }
 }
 
@@ -106,7 +131,7 @@ TEST(Solver, StopsAboveTheOverlapLimitAndNamesTheParticle) {
     solver->particles().velocity[1].x = 1.5;
     const auto trouble = solver->advance(100);
     ASSERT_TRUE(trouble);
-    EXPECT_FALSE(trouble->nonFinite);
+    EXPECT_EQ(trouble->kind, DemTrouble::Kind::overlap);
     EXPECT_EQ(trouble->particle, 1);
     EXPECT_GT(trouble->value, 0.1);
     EXPECT_STREQ(trouble->stage, "contacts");

@@ -79,7 +79,7 @@ std::vector<Check> impactOnSoftStack() {
   // The top pair sinks in at w^-1 sin(w t) times the speed and slower, and is looked at once a step.
   const double w = pairAngle(impact.scene) / impact.scene.time.step;
   const double due = (Impact::gap / Impact::speed + std::asin(limit * w / Impact::speed) / w) / 1e-5;
-  const bool named = trouble && !trouble->nonFinite && trouble->particle >= 9;
+  const bool named = trouble && trouble->kind == DemTrouble::Kind::overlap && trouble->particle >= 9;
   return {{"steps from the limit of 0.1 d to the stop that names the pair", 2.0, "looked at once a step",
            named ? std::abs(static_cast<double>(trouble->steps) - due) : infinity}};
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "engine/core/scene_reader.h"
 #include "engine/simulation.h"
 #include "tests/dem/small_beds.h"
 
@@ -40,6 +41,21 @@ inline double fastest(const Particles& p) {
 /// w dt of two spheres, w^2 = 2 k/m.
 inline double pairAngle(const Scene& scene) {
   return scene.time.step * std::sqrt(2.0 * scene.contacts.stiffness / particleMass(scene));
+}
+
+/// Whether check refuses a scene because of this key.
+inline bool refused(const Scene& scene, const std::string& path) {
+  const auto all = contradictions(scene);
+  return std::any_of(all.begin(), all.end(), [&](const Contradiction& c) { return c.path == path; });
+}
+
+/// Touching spheres of diameter d, every other row one fewer, over the floor of a box they just fit.
+inline std::vector<Vec2> hexagonal(double d, int columns, int rows) {
+  std::vector<Vec2> sites;
+  for (int row = 0; row < rows; ++row)
+    for (int column = 0; column < columns - row % 2; ++column)
+      sites.push_back({d * (0.5 + column + 0.5 * (row % 2)), d * (0.5 + row * std::sqrt(0.75))});
+  return sites;
 }
 
 }  // namespace bedmix::hard
