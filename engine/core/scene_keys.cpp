@@ -81,7 +81,7 @@ std::vector<SceneKey> sceneKeys() {
 }
 
 std::string rangeText(const Key& key) {
-  const Range& r = key.range;
+  const KeyRange& r = key.range;
   const std::string unit = key.unit.empty() ? "" : fmt::format(" {}", key.unit);
   const bool below = std::isfinite(r.min), above = std::isfinite(r.max);
   if (below && above)

@@ -98,7 +98,7 @@ class TableReader {
   }
 
   void checkRange(const Key& key, const toml::node& node, const std::string& path, double value) {
-    const Range& r = key.range;
+    const KeyRange& r = key.range;
     const bool inside =
         std::isfinite(value) && value <= r.max && (r.aboveMin ? value > r.min : value >= r.min);
     if (inside) return;
