@@ -27,6 +27,19 @@ std::optional<DemTrouble> findNonFinite(const Particles& p, const char* stage) {
   return std::nullopt;
 }
 
+ParticleSolver::Fastest findFastest(const Particles& p) {
+  ParticleSolver::Fastest found;
+  double largest = 0.0;  // square
+  for (std::size_t i = 0; i < p.size(); ++i) {
+    const double square = dot(p.velocity[i], p.velocity[i]);
+    if (square <= largest) continue;
+    largest = square;
+    found.particle = p.id[i];
+  }
+  found.speed = std::sqrt(largest);
+  return found;
+}
+
 template <class Integrator>
 class Solver final : public ParticleSolver {
  public:
@@ -47,8 +60,10 @@ class Solver final : public ParticleSolver {
     if (!outcome.finite) trouble = findNonFinite(bed_.particles, "integrate");
     if (!trouble && steps > 0 && deepestOverlap(bed_) > maxOverlap_)
       trouble = DemTrouble{largestOverlapParticle(), largestOverlap(), DemTrouble::Kind::overlap, "contacts"};
-    if (const Fastest f = fastest(); !trouble && f.speed * stepInDiameters_ > furthestInAStep)
-      trouble = DemTrouble{f.particle, f.speed * stepInDiameters_, DemTrouble::Kind::speed, "integrate"};
+    fastest_ = findFastest(bed_.particles);
+    const double way = fastest_.speed * stepInDiameters_;
+    if (!trouble && way > furthestInAStep)
+      trouble = DemTrouble{fastest_.particle, way, DemTrouble::Kind::speed, "integrate"};
     if (trouble) trouble->steps = outcome.steps;
     return trouble;
   }
@@ -84,20 +99,6 @@ std::int64_t ParticleSolver::largestOverlapParticle() const {
     deepest = std::max(deepest, block.deepest);
   }
   return particle;
-}
-
-ParticleSolver::Fastest ParticleSolver::fastest() const {
-  const Particles& p = bed_.particles;
-  Fastest found;
-  double largest = 0.0;  // square
-  for (std::size_t i = 0; i < p.size(); ++i) {
-    const double square = dot(p.velocity[i], p.velocity[i]);
-    if (square <= largest) continue;
-    largest = square;
-    found.particle = p.id[i];
-  }
-  found.speed = std::sqrt(largest);
-  return found;
 }
 
 std::int64_t ParticleSolver::contactCount() const {

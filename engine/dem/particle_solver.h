@@ -58,7 +58,7 @@ class ParticleSolver {
     std::int64_t particle = -1;
     double speed = 0.0;
   };
-  Fastest fastest() const;
+  Fastest fastest() const { return fastest_; }
   /// Touching pairs and wall contacts at the last step.
   std::int64_t contactCount() const;
   std::int64_t neighbourBuilds() const { return bed_.contacts.builds(); }
@@ -84,6 +84,7 @@ class ParticleSolver {
                  ThreadTeam& team);
 
   BedState bed_;
+  Fastest fastest_;
   bool begun_ = false;  // lists have been made
 
  private:
