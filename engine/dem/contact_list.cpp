@@ -142,6 +142,8 @@ void ContactList::find(std::size_t b, const std::vector<Body>& bodies, ContactSl
   for (std::size_t i = block.particles.begin; i < block.particles.end; ++i) built_[i] = bodies[i].position;
 
   block.near.count = 0;
+  block.near.reserve(0, true, friction_);
+  block.near.pad(static_cast<std::int32_t>(block.particles.begin));
   refresh(b, bodies, spare);
   if (!friction_) return;
   recall(block.near, 0);
@@ -253,15 +255,17 @@ template <bool friction>
 void ContactList::choose(std::span<const ContactBlock::Pair> candidates, const std::vector<Body>& bodies,
                          const ContactSlots& old, std::size_t& met, ContactSlots& near) const {
   const double reach = diameter_ + innerSkin_;
+  constexpr double kept[] = {0.0, 1.0};
   std::size_t count = near.count;
   for (const auto& [i, j] : candidates) {
     const Vec2 apart = bodies[j].position - bodies[i].position;
     near.first[count] = i;
     near.second[count] = j;
     if constexpr (friction) {
-      const bool known = met < old.count && old.first[met] == i && old.second[met] == j;
-      near.spring[count] = known ? old.spring[met] : 0.0;
-      near.slip[count] = known ? old.slip[met] : 0.0;
+      // Padding is a particle with itself, and no candidate.
+      const bool known = ((old.first[met] ^ i) | (old.second[met] ^ j)) == 0;
+      near.spring[count] = kept[known] * old.spring[met];
+      near.slip[count] = kept[known] * old.slip[met];
       met += static_cast<std::size_t>(known);
     }
     count += static_cast<std::size_t>(dot(apart, apart) < reach * reach);

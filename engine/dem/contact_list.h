@@ -44,7 +44,7 @@ struct ContactBlock {
 
   /// Particles that are moved together once their contacts are through, while they are in the innermost
   /// cache.
-  static constexpr std::size_t stretch = 64;
+  static constexpr std::size_t stretch = 128;
 
   Range particles;
   std::vector<Pair> candidates;  // within the skin, both in the block; the first `candidateCount` are valid
