@@ -126,12 +126,14 @@ bool chooseVectors(const std::string& level) {
 void follow(Worker& worker, Recording& recording, Progress& progress) {
   while (const FramePtr frame = worker.next()) {
     recording.trajectory->accept(*frame);
-    recording.derive(*frame);
-    if (const Checkpoint checkpoint = worker.checkpoint()) recording.trajectory->keep(*checkpoint);
+    if (!recording.failure()) recording.derive(*frame);  // a row follows its frame
+    const Checkpoint checkpoint = worker.checkpoint();
+    if (checkpoint && !recording.failure()) recording.trajectory->keep(*checkpoint);
     progress.accept(*frame);
     if (checkpointRequested()) worker.requestCheckpoint();
     if (stopRequested() || recording.failure()) worker.requestStop();
   }
+  recording.trajectory->finish();
 }
 
 RunSummary summarize(const Scene& scene, const RunEnd& end, int threads) {
@@ -194,6 +196,11 @@ ExitCode run(const RunOptions& options, const Console& console) {
     auto found = findResumePoint(*recorded, *scene, threads, console);
     if (!found) return console.fail(found.problems);
     point.emplace(std::move(*found));
+    if (const Provenance before = recorded->provenance(); before != Provenance{programVersion, programCommit})
+      console.warn(
+          fmt::format("the run was begun by bedmix {} ({}), this is {} ({}); results may differ from those "
+                      "without a break",
+                      before.version, before.commit, programVersion, programCommit));
     const Simulation& start = point->start.simulation;
     if (start.step() > totalSteps(*scene)) {
       console.say(fmt::format("this run has come to {:g} s already; nothing to do", start.time()));
@@ -252,6 +259,9 @@ ExitCode run(const RunOptions& options, const Console& console) {
   }
   if (end.reason == EndReason::invalid) {
     console.fail(options.scene, end.message);
+    if (end.lastCheckpoint)
+      console.say(fmt::format("everything up to there is in {}; its last checkpoint is that at {:g} s",
+                              folder->path.string(), *end.lastCheckpoint));
     return ExitCode::invalidSolution;
   }
   console.say(fmt::format("{} {:g} simulated s in {:.3g} s ({:.3g} particle steps/s), {}",

@@ -12,7 +12,7 @@ enum class ExitCode {
   invalidSolution = 3,  // non-finite, or beyond the overlap limit; everything up to there is on disk
   fileTrouble = 4,      // a file or the disk
   unavailable = 5,      // rendering or encoding
-  stopped = 130,        // by SIGINT or SIGTERM, after a clean flush
+  stopped = 130,        // by SIGINT or SIGTERM, after a clean flush and a checkpoint
 };
 
 inline ExitCode exitCodeOf(Trouble trouble) {

@@ -45,7 +45,7 @@ int run(int argc, char** argv) {
   program.footer(
       "Start with:\n  bedmix run tian-2007-even -o out/even --video\n"
       "Exit codes: 0 done, 2 usage or invalid scene, 3 solution became invalid, 4 file or disk trouble,\n"
-      "5 rendering or encoding unavailable, 130 stopped by a signal after a clean flush.");
+      "5 rendering or encoding unavailable, 130 stopped by a signal after a clean flush and checkpoint.");
 
   const CommandContext context{console, outcome};
   addRunCommand(program, context);

@@ -65,7 +65,8 @@ Result<Header> readHeader(std::span<const std::byte> bytes) {
 }  // namespace
 
 std::vector<std::byte> writeCheckpoint(const Simulation& simulation, const Scene& scene, double wallSeconds) {
-  StateWriter out;
+  constexpr std::size_t perParticle = 512;
+  StateWriter out(perParticle * static_cast<std::size_t>(scene.particles.count));
   out.put(Header{.scene = sceneMark(scene), .step = simulation.step(), .wallSeconds = wallSeconds});
   simulation.save(out);
   std::vector<std::byte> bytes = out.take();

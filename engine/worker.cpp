@@ -112,7 +112,7 @@ struct Worker::State {
     const auto save = [&]() -> Checkpoint {
       if (!schedule) return nullptr;
       savedAt = Clock::now();
-      savedTime = simulation.time();
+      outcome.lastCheckpoint = savedTime = simulation.time();
       return std::make_shared<const std::vector<std::byte>>(
           writeCheckpoint(simulation, scene, wallSeconds()));
     };

@@ -27,6 +27,7 @@ struct RunEnd {
   std::int64_t gasSteps = 0;
   StageSeconds stages{};
   StepReport report;
+  std::optional<double> lastCheckpoint;  // of this worker; simulated s
   std::uint64_t stateHash = 0;
 };
 

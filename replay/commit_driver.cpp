@@ -120,6 +120,11 @@ herr_t readFile(H5FD_t* base, H5FD_mem_t, hid_t, haddr_t at, std::size_t size, v
 herr_t flushFile(H5FD_t* base, hid_t, hbool_t) {
   CommitFile& file = of(base);
   if (file.failed) return 0;
+  struct stat status {};
+  if (fstat(file.descriptor, &status) == 0 && status.st_nlink == 0) {
+    file.failed = true;
+    return refuse("it has been deleted while it was being written");
+  }
   std::stable_sort(file.held.begin(), file.held.end(),
                    [](const HeldWrite& a, const HeldWrite& b) { return rank(a) < rank(b); });
   for (const HeldWrite& write : file.held) {

@@ -89,22 +89,36 @@ TimeSeries::TimeSeries(hid_t file, std::string path, hid_t type, std::vector<hsi
       rowBytes_(std::accumulate(row_.begin(), row_.end(), H5Tget_size(type), std::multiplies<>())),
       dataset_(openSeries(file, path_, type, row_, origin)) {}
 
+TimeSeries::Selection TimeSeries::select(hsize_t index) const {
+  std::vector<hsize_t> start{index}, count{1};
+  start.resize(row_.size() + 1);
+  count.insert(count.end(), row_.begin(), row_.end());
+  Selection row{
+      H5(H5Dget_space(dataset_), "find a row of " + path_),
+      H5(H5Screate_simple(static_cast<int>(count.size()), count.data(), nullptr), "find a row of " + path_)};
+  checkHdf5(H5Sselect_hyperslab(row.inFile, H5S_SELECT_SET, start.data(), nullptr, count.data(), nullptr),
+            "find a row of " + path_);
+  return row;
+}
+
 void TimeSeries::append(hsize_t index, std::span<const std::byte> row) {
   if (row.size() != rowBytes_)
     throw Hdf5Error("cannot write " + path_ + ": a frame brings " + std::to_string(row.size()) +
                     " bytes where the scene asks for " + std::to_string(rowBytes_));
-  std::vector<hsize_t> start{index}, count{1};
-  start.resize(row_.size() + 1);
-  count.insert(count.end(), row_.begin(), row_.end());
-  std::vector<hsize_t> extent = count;
-  extent[0] = index + 1;
+  std::vector<hsize_t> extent{index + 1};
+  extent.insert(extent.end(), row_.begin(), row_.end());
   checkHdf5(H5Dset_extent(dataset_, extent.data()), "extend " + path_);
-  const H5 fileSpace(H5Dget_space(dataset_), "extend " + path_);
-  const H5 rowSpace(H5Screate_simple(static_cast<int>(count.size()), count.data(), nullptr),
-                    "write " + path_);
-  checkHdf5(H5Sselect_hyperslab(fileSpace, H5S_SELECT_SET, start.data(), nullptr, count.data(), nullptr),
-            "write " + path_);
-  checkHdf5(H5Dwrite(dataset_, type_, rowSpace, fileSpace, H5P_DEFAULT, row.data()), "write " + path_);
+  const Selection at = select(index);
+  checkHdf5(H5Dwrite(dataset_, type_, at.inMemory, at.inFile, H5P_DEFAULT, row.data()), "write " + path_);
+}
+
+hsize_t TimeSeries::rows() const { return extentOf(dataset_, path_)[0]; }
+
+bool TimeSeries::holds(hsize_t index, std::span<const std::byte> row) const {
+  std::vector<std::byte> found(rowBytes_);
+  const Selection at = select(index);
+  checkHdf5(H5Dread(dataset_, type_, at.inMemory, at.inFile, H5P_DEFAULT, found.data()), "read " + path_);
+  return std::equal(row.begin(), row.end(), found.begin(), found.end());
 }
 
 void TimeSeries::cut(hsize_t rows) {

@@ -23,10 +23,19 @@ class TimeSeries {
 
   /// Writes row `index` and makes it the last one. `row` must have the size the series was made with.
   void append(hsize_t index, std::span<const std::byte> row);
+  hsize_t rows() const;
+  /// Whether row `index`, which must be there, is the same to the bit.
+  bool holds(hsize_t index, std::span<const std::byte> row) const;
   /// Leaves no more than the first `rows`.
   void cut(hsize_t rows);
 
  private:
+  /// Row `index` as HDF5 wants it told.
+  struct Selection {
+    H5 inFile, inMemory;
+  };
+  Selection select(hsize_t index) const;
+
   std::string path_;
   hid_t type_;
   std::vector<hsize_t> row_;  // extents of a row

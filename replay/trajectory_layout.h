@@ -39,6 +39,8 @@ inline constexpr const char* id = "particles/all/id";
 
 inline constexpr const char* scene = "parameters/scene";
 inline constexpr const char* sceneName = "parameters/scene_name";
+inline constexpr const char* version = "parameters/version";
+inline constexpr const char* commit = "parameters/commit";
 
 inline constexpr const char* bedmix = "bedmix";
 inline constexpr const char* checkpoint = "bedmix/checkpoint";

@@ -173,6 +173,13 @@ TrajectoryReader::TrajectoryReader(TrajectoryReader&&) noexcept = default;
 TrajectoryReader& TrajectoryReader::operator=(TrajectoryReader&&) noexcept = default;
 
 const Scene& TrajectoryReader::scene() const { return state_->scene; }
+Provenance TrajectoryReader::provenance() const {
+  try {
+    return {state_->in.text(layout::version), state_->in.text(layout::commit)};
+  } catch (const Hdf5Error&) {
+    return {};
+  }
+}
 const std::vector<double>& TrajectoryReader::times() const { return state_->times; }
 const std::optional<Diagnostic>& TrajectoryReader::failure() const { return state_->failure; }
 

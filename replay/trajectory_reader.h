@@ -4,6 +4,7 @@
 #include "engine/core/diagnostic.h"
 #include "engine/core/frame.h"
 #include "engine/core/scene.h"
+#include "replay/provenance.h"
 
 #include <cstddef>
 #include <filesystem>
@@ -27,6 +28,8 @@ class TrajectoryReader final : public FrameSource {
 
   /// The scene as it was run, every default resolved.
   const Scene& scene() const;
+  /// What began to record it; empty where that cannot be read.
+  Provenance provenance() const;
   /// Times of the frames, s, strictly increasing. As many as there are frames, at least one.
   const std::vector<double>& times() const;
 

@@ -52,8 +52,8 @@ void writeHeader(const Hdf5Output& out, const Scene& scene, const Provenance& pr
 
   out.text(layout::scene, writeScene(scene));
   out.text(layout::sceneName, scene.name);
-  out.text("parameters/version", provenance.version);
-  out.text("parameters/commit", provenance.commit);
+  out.text(layout::version, provenance.version);
+  out.text(layout::commit, provenance.commit);
   out.number("parameters/seed", scene.seed);
 
   out.attribute(layout::box, "dimension", dimension);
@@ -90,7 +90,7 @@ struct TrajectoryWriter::State {
   Observables seen{};
   std::vector<std::uint8_t> species;
   std::vector<std::int32_t> id;
-  hsize_t frames = 0;
+  hsize_t frames = 0, found = 0;  // accepted, and there; the latter may be more where a run is resumed
 
   /// Makes the file, or goes on with the one that is there where no provenance is given.
   State(const std::filesystem::path& file, const Scene& s, const Provenance* provenance)
@@ -169,7 +169,21 @@ struct TrajectoryWriter::State {
     time->cut(count);
     step->cut(count);
     out.flush();
+    found = count;
+  }
+
+  /// Goes on after the first `count` frames.
+  void resume(hsize_t count, std::size_t sound) {
+    found = std::min(step->rows(), time->rows());
+    for (const Element& e : elements) found = std::min(found, e.value.rows());
     frames = count;
+    nextCheckpoint = 1 - sound;
+  }
+
+  bool isThere(const Frame& frame) const {
+    return step->holds(frames, bytes(frame.step)) && time->holds(frames, bytes(frame.time)) &&
+           std::all_of(elements.begin(), elements.end(),
+                       [&](const Element& e) { return e.value.holds(frames, e.row(frame)); });
   }
 
   void keep(std::span<const std::byte> checkpoint) {
@@ -206,11 +220,18 @@ struct TrajectoryWriter::State {
   void write(const Frame& frame) {
     writeConstants(frame);
     observe(frame);
+    if (frames < found) {
+      if (isThere(frame)) {
+        ++frames;
+        return;
+      }
+      cut(frames);
+    }
     for (Element& e : elements) e.value.append(frames, e.row(frame));
     time->append(frames, bytes(frame.time));
     step->append(frames, bytes(frame.step));
     out.flush();
-    ++frames;
+    found = ++frames;
   }
 };
 
@@ -227,8 +248,7 @@ Result<TrajectoryWriter> TrajectoryWriter::resume(const std::filesystem::path& p
                                                   std::size_t frames, std::size_t sound) {
   try {
     auto state = std::make_unique<State>(path, scene, nullptr);
-    state->cut(frames);
-    state->nextCheckpoint = 1 - sound;
+    state->resume(frames, sound);
     return TrajectoryWriter(std::move(state));
   } catch (const Hdf5Error& e) {
     return fileTrouble(path, e.what());
@@ -241,8 +261,13 @@ TrajectoryWriter::TrajectoryWriter(TrajectoryWriter&&) noexcept = default;
 TrajectoryWriter& TrajectoryWriter::operator=(TrajectoryWriter&&) noexcept = default;
 
 std::optional<Diagnostic> TrajectoryWriter::write(const Frame& frame) {
+  return attempt([&](State& state) { state.write(frame); });
+}
+
+template <class Action>
+std::optional<Diagnostic> TrajectoryWriter::attempt(Action&& action) {
   try {
-    state_->write(frame);
+    action(*state_);
     return std::nullopt;
   } catch (const Hdf5Error& e) {
     return fileTrouble(state_->path, e.what());
@@ -250,13 +275,14 @@ std::optional<Diagnostic> TrajectoryWriter::write(const Frame& frame) {
 }
 
 void TrajectoryWriter::keep(std::span<const std::byte> checkpoint) {
-  unlessFailed([&]() -> std::optional<Diagnostic> {
-    try {
-      state_->keep(checkpoint);
-      return std::nullopt;
-    } catch (const Hdf5Error& e) {
-      return fileTrouble(state_->path, e.what());
-    }
+  unlessFailed([&] { return attempt([&](State& state) { state.keep(checkpoint); }); });
+}
+
+void TrajectoryWriter::finish() {
+  unlessFailed([&] {
+    return attempt([](State& state) {
+      if (state.frames < state.found) state.cut(state.frames);
+    });
   });
 }
 

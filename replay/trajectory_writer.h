@@ -3,6 +3,7 @@
 
 #include "engine/core/scene.h"
 #include "replay/file_sink.h"
+#include "replay/provenance.h"
 
 #include <cstddef>
 #include <filesystem>
@@ -11,12 +12,6 @@
 #include <string>
 
 namespace bedmix {
-
-/// The program a file comes from.
-struct Provenance {
-  std::string version;
-  std::string commit;
-};
 
 /// Records frames in an H5MD 1.1 file (de Buyl, Colberg & Höfling 2014, Comput. Phys. Commun. 185:1546), laid
 /// out as trajectory_layout.h says. Each frame is flushed, so that whatever kills the program leaves a file
@@ -27,8 +22,9 @@ class TrajectoryWriter final : public FileSink {
   static Result<TrajectoryWriter> create(const std::filesystem::path& path, const Scene& scene,
                                          const Provenance& provenance);
   /// Goes on with the file of a run of that scene, or of one that differs in its duration alone, after the
-  /// first `frames` of its frames, of which there must be as many. Later ones are taken out. `sound` is the
-  /// checkpoint not to be replaced by the next.
+  /// first `frames` of its frames, of which there must be as many. Later ones stay as long as what is
+  /// accepted is the same to the bit, and are all taken out where it is not. `sound` is the checkpoint not to
+  /// be replaced by the next.
   static Result<TrajectoryWriter> resume(const std::filesystem::path& path, const Scene& scene,
                                          std::size_t frames, std::size_t sound);
   ~TrajectoryWriter() override;
@@ -38,11 +34,15 @@ class TrajectoryWriter final : public FileSink {
   /// Keeps a checkpoint of the run at the last frame, and the one before this. A failure is kept as that of a
   /// frame is.
   void keep(std::span<const std::byte> checkpoint);
+  /// Ends the run with the last frame: those that were there behind it are taken out.
+  void finish();
 
  private:
   struct State;
   explicit TrajectoryWriter(std::unique_ptr<State> state);
   std::optional<Diagnostic> write(const Frame& frame) override;
+  template <class Action>
+  std::optional<Diagnostic> attempt(Action&& action);
 
   std::unique_ptr<State> state_;
 };

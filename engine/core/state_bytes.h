@@ -18,6 +18,9 @@ namespace bedmix {
 
 class StateWriter {
  public:
+  /// Room for so many bytes; memory that is not written to costs nothing.
+  explicit StateWriter(std::size_t expected) { bytes_.reserve(expected); }
+
   template <class T>
   void put(const T& value) {
     append(std::as_bytes(std::span(&value, 1)));
@@ -33,7 +36,6 @@ class StateWriter {
     putAll(std::span(values));
   }
 
-  const std::vector<std::byte>& bytes() const { return bytes_; }
   std::vector<std::byte> take() { return std::move(bytes_); }
 
  private:
