@@ -4,6 +4,9 @@
 #include <gtest/gtest.h>
 
 #include <cctype>
+#include <fstream>
+#include <iterator>
+#include <string>
 
 namespace bedmix::hard {
 namespace {
@@ -16,6 +19,13 @@ TEST_P(Hard, StaysWithinItsBounds) {
   for (const Check& check : checks)
     EXPECT_TRUE(check.holds()) << check.invariant << ": " << check.measured << ", at most " << check.bound
                                << " (" << check.from << ")";
+}
+
+TEST(HardCases, StandInTheDocs) {
+  std::ifstream page(BEDMIX_SOURCE_DIR "/assets/docs/hard-cases.md");
+  const std::string text{std::istreambuf_iterator<char>(page), {}};
+  for (const HardCase& c : hardCases())
+    EXPECT_NE(text.find("| " + c.name + " |"), std::string::npos) << c.name << ": run tests/hard/table.sh";
 }
 
 INSTANTIATE_TEST_SUITE_P(Cases, Hard, testing::ValuesIn(hardCases()), [](const auto& tried) {
