@@ -168,6 +168,10 @@ void reportSteps(const Console& console, const Scene& scene, const StepReport& r
   if (report.aboveGridLargest > 0)
     console.say(fmt::format("up to {} particles at a time were above the gas grid and fell without gas",
                             report.aboveGridLargest));
+  if (report.largestCourant > 1.0)
+    console.warn(
+        fmt::format("gas passed {:.2g} cells in a step, where time is resolved below 1; lower gas.step",
+                    report.largestCourant));
   if (report.gasStepsNotConverged > 0)
     console.warn(
         fmt::format("{} gas steps ended at the iteration limit; lower gas.step or raise gas.max_iterations",
