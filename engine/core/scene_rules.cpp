@@ -136,10 +136,10 @@ class Rules {
     if (gas.step > longest * (1.0 + rounding))
       add("gas.step", {"particles.diameter", "particles.density", "gas.viscosity"},
           fmt::format(
-              "a gas step of {} s is {:.3g} times as long as particles of a packed bed take to follow the "
-              "gas ({:.3g} s): gas and particles would overshoot each other more with every step. Take at "
-              "most {:.3g} s",
-              gas.step, gas.step / relaxation, relaxation, longest));
+              "a gas step of {} s is too long for particles that in a packed bed follow the gas within "
+              "{:.3g} s: "
+              "gas and particles would overshoot each other more with every step. Take at most {:.3g} s",
+              gas.step, relaxation, longest));
     const double lightest = gas.density * (1.0 - packed) / (2.0 * packed);
     if (p.density < lightest * (1.0 - rounding))
       add("particles.density", {"gas.density"},
