@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: MIT
+#include "engine/checkpoint.h"
+#include "replay/trajectory_reader.h"
+#include "replay/trajectory_writer.h"
+#include "tests/fuzz/fuzz_target.h"
+#include "tests/fuzz/mutations.h"
+#include "tests/fuzz/small_scene.h"
+#include "tests/fuzz/still_sound.h"
+
+#include <fstream>
+#include <iterator>
+#include <unistd.h>
+
+// Trajectories: opened, and all read that is in them.
+
+namespace {
+
+using namespace bedmix;
+using namespace bedmix::fuzz;
+
+/// A file of this process, removed at its end.
+class TemporaryFile {
+ public:
+  TemporaryFile()
+      : path_(std::filesystem::temp_directory_path() / ("bedmix-fuzz-" + std::to_string(getpid()) + ".h5")) {}
+  ~TemporaryFile() { std::filesystem::remove(path_); }
+  const std::filesystem::path& path() const { return path_; }
+
+ private:
+  std::filesystem::path path_;
+};
+
+const std::filesystem::path& temporaryPath() {
+  static const TemporaryFile file;
+  return file.path();
+}
+
+std::string recordedRun(bool effects) {
+  const Scene scene = smallScene(effects);
+  Simulation simulation = *std::move(Simulation::make(scene).value);
+  {
+    auto writer = TrajectoryWriter::create(temporaryPath(), scene, {"1.0", "0123456789ab"});
+    require(bool(writer), "a file for trajectories can be written");
+    for (int frame = 0; frame < 3; ++frame) {
+      writer->accept(*simulation.frame());
+      writer->keep(writeCheckpoint(simulation, scene, 1.5));
+      require(!simulation.advance(stepsPerFrame(scene)), "the small run runs");
+    }
+    writer->finish();
+  }
+  std::ifstream in(temporaryPath(), std::ios::binary);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+}  // namespace
+
+namespace bedmix::fuzz {
+
+const std::vector<std::string>& seeds() {
+  static const std::vector<std::string> recorded{recordedRun(false), recordedRun(true)};
+  return recorded;
+}
+
+void mutate(std::string& input, Rng& rng) { mutateBytes(input, rng); }
+
+}  // namespace bedmix::fuzz
+
+/// HDF5 asks for as much memory as the file says, and takes no for an answer.
+extern "C" const char* __asan_default_options() { return "allocator_may_return_null=1"; }
+/// HDF5 loses a few hundred bytes wherever it refuses a file.
+extern "C" const char* __lsan_default_suppressions() { return "leak:libhdf5"; }
+
+int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  std::ofstream(temporaryPath(), std::ios::binary)
+      .write(reinterpret_cast<const char*>(data), static_cast<std::streamsize>(size));
+  auto reader = TrajectoryReader::open(temporaryPath());
+  if (!reader) {
+    require(!reader.problems.empty() && !reader.problems.front().message.empty(), "a refusal has a reason");
+    return 0;
+  }
+  reader->provenance();
+  reader->checkpoints();
+  std::size_t frames = 0;
+  for (; const FramePtr frame = reader->next(); ++frames) requireFinite(*frame);
+  require(frames == reader->times().size() || reader->failure(), "a frame that is missing has a reason");
+  return 0;
+}
