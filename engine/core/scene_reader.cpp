@@ -18,6 +18,10 @@ namespace bedmix {
 
 namespace {
 
+// Far more than any scene asks for, and little enough to list all that is wrong with it in no time.
+constexpr std::size_t longestText = 65536;  // bytes
+constexpr std::size_t longestList = 1000;   // elements
+
 std::string join(const std::string& path, std::string_view name) {
   return path.empty() ? std::string(name) : fmt::format("{}.{}", path, name);
 }
@@ -97,6 +101,13 @@ class TableReader {
                   fmt::format("{} must be {}, not {}{}", path, wanted, describeValue(node), table));
   }
 
+  bool isTooLong(const toml::array& list, const std::string& path) {
+    if (list.size() <= longestList) return false;
+    problems_.add(path, list.source(),
+                  fmt::format("{} has {} elements; at most {} are read", path, list.size(), longestList));
+    return true;
+  }
+
   void checkRange(const Key& key, const toml::node& node, const std::string& path, double value) {
     const KeyRange& r = key.range;
     const bool inside =
@@ -166,6 +177,7 @@ class TableReader {
     constexpr std::string_view wanted = "a list of [count, size] pairs, e.g. [[8, 0.012]]";
     const auto* list = node.as_array();
     if (!list || list->empty()) return wrongType(node, path, wanted);
+    if (isTooLong(*list, path)) return;
     std::size_t index = 0;
     for (const toml::node& element : *list) {
       const auto* pair = element.as_array();
@@ -180,6 +192,7 @@ class TableReader {
   void read(const Key&, const toml::node& node, const std::string& path, std::vector<Inlet>& inlets) {
     const auto* list = node.as_array();
     if (!list) return wrongType(node, path, fmt::format("tables, each headed [[{}]]", path));
+    if (isTooLong(*list, path)) return;
     std::size_t index = 0;
     for (const toml::node& element : *list)
       readTable(element, join(path, std::to_string(index++)), inlets.emplace_back());
@@ -209,6 +222,9 @@ class TableReader {
 
 Result<Scene> readScene(std::string_view toml, const std::string& file,
                         const std::vector<Override>& overrides) {
+  if (toml.size() > longestText)
+    return Diagnostic{{file},
+                      fmt::format("this is {} bytes long; a scene has at most {}", toml.size(), longestText)};
   Result<toml::table> root = parseToml(toml, file);
   if (!root) return std::move(root.problems);
 

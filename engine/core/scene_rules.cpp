@@ -178,10 +178,11 @@ class Rules {
                       scene_.bed.width));
     for (std::size_t other = 0; other < index; ++other) {
       const Inlet& o = gas.inlets[other];
-      if (std::min(in.to, o.to) - std::max(in.from, o.from) > rounding * scene_.bed.width)
-        add(path, {fmt::format("gas.inlets.{}", other)},
-            fmt::format("the inlet from {} to {} m overlaps the one from {} to {} m", in.from, in.to, o.from,
-                        o.to));
+      if (std::min(in.to, o.to) - std::max(in.from, o.from) <= rounding * scene_.bed.width) continue;
+      add(path, {fmt::format("gas.inlets.{}", other)},
+          fmt::format("the inlet from {} to {} m overlaps the one from {} to {} m", in.from, in.to, o.from,
+                      o.to));
+      break;
     }
     if (in.velocity && in.velocityUmf)
       add(path + ".velocity_umf", {path + ".velocity"},

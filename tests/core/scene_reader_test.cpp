@@ -162,6 +162,14 @@ TEST(SceneReader, OverridesAreAppliedBeforeChecking) {
   EXPECT_EQ(scene->title, "Half speed");
 }
 
+TEST(SceneReader, RefusesWhatIsTooLongToBeAScene) {
+  std::string inlets;
+  for (int i = 0; i < 1001; ++i) inlets += "{},";
+  expectOnly(problemsOf(validScene, {{"gas.inlets", '[' + inlets + ']'}}), "--set gas.inlets",
+             "has 1001 elements; at most 1000 are read");
+  expectOnly(problemsOf(validScene + std::string(65536, '#')), "s.toml", "a scene has at most 65536");
+}
+
 TEST(SceneReader, EmptyOverrideRemoves) {
   const auto scene = readScene(validScene, "s.toml",
                                {{"contacts.restitution", ""}, {"contacts.damping", "0.17"}, {"gas", ""}});
