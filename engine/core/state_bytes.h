@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
+#include <limits>
 #include <span>
 #include <type_traits>
 #include <utility>
@@ -46,7 +47,8 @@ class StateWriter {
 
 /// Reads it back from bytes that may be anything. What it fills must have its size already, which follows
 /// from the scene: nothing is ever allocated because the bytes say so. All return false where the bytes end,
-/// hold another number of values, or a double that is not finite; then the rest means nothing.
+/// hold another number of values, or a double that is not finite or beyond what a frame can hold; then the
+/// rest means nothing.
 class StateReader {
  public:
   explicit StateReader(std::span<const std::byte> bytes) : rest_(bytes) {}
@@ -78,7 +80,7 @@ class StateReader {
       static_assert(std::is_trivially_copyable_v<T> && sizeof(T) % sizeof(double) == 0);
       const auto* numbers = reinterpret_cast<const double*>(values.data());
       for (std::size_t i = 0; i < values.size_bytes() / sizeof(double); ++i)
-        if (!std::isfinite(numbers[i])) return false;
+        if (!(std::abs(numbers[i]) <= std::numeric_limits<float>::max())) return false;
     }
     return true;
   }
