@@ -44,9 +44,39 @@ std::string toText(const std::vector<hsize_t>& extent) {
   return text.empty() ? "one value" : text;
 }
 
+constexpr std::size_t mostIntegers = 16;  // of an attribute
+
 bool isNumber(hid_t type) {
   const H5T_class_t kind = H5Tget_class(type);
   return kind == H5T_FLOAT || kind == H5T_INTEGER;
+}
+
+/// Bytes that a dataset has in the file: no more than that holds, whatever it says.
+hsize_t storedBytes(hid_t file, hid_t dataset) {
+  hsize_t fileSize = 0;
+  checkHdf5(H5Fget_filesize(file, &fileSize), "find the size of the file");
+  return std::min(H5Dget_storage_size(dataset), fileSize);
+}
+
+/// HDF5 believes these sizes and reads past the end of what is smaller: a compact dataset, which lies in its
+/// header, against its extents, and chunks in their index against all of the same size.
+void checkLayout(hid_t dataset, hid_t type, hsize_t bytes, const std::string& path) {
+  const H5 creation(H5Dget_create_plist(dataset), "read the layout of " + path);
+  const H5D_layout_t layout = H5Pget_layout(creation);
+  hsize_t expected = bytes;
+  if (layout == H5D_CHUNKED && H5Pget_nfilters(creation) == 0) {
+    const H5 space(H5Dget_space(dataset), "read the extents of " + path);
+    std::vector<hsize_t> chunk(extentOf(dataset, path).size());
+    checkHdf5(H5Pget_chunk(creation, static_cast<int>(chunk.size()), chunk.data()),
+              "read the chunks of " + path);
+    checkHdf5(H5Dget_num_chunks(dataset, space, &expected), "read the chunks of " + path);
+    for (const hsize_t n : chunk) expected *= n;
+    expected *= H5Tget_size(type);
+  } else if (layout != H5D_COMPACT) {
+    return;
+  }
+  if (H5Dget_storage_size(dataset) != expected)
+    throw Hdf5Error(path + " is damaged: it has not as many bytes as it says");
 }
 
 }  // namespace
@@ -64,9 +94,10 @@ Hdf5Values::Hdf5Values(hid_t file, std::string path, std::vector<hsize_t> row, b
 
   const H5 type(H5Dget_type(dataset_), "read the type of " + path_);
   if (!isNumber(type)) throw Hdf5Error(path_ + " does not hold numbers");
-  // A kill can leave the extent ahead of the data.
   const hsize_t rowBytes = rowSize() * H5Tget_size(type);
-  if (isSeries_ && rowBytes > 0) rows_ = std::min(rows_, H5Dget_storage_size(dataset_) / rowBytes);
+  // A kill can leave the extent ahead of the data.
+  if (isSeries_ && rowBytes > 0) rows_ = std::min(rows_, storedBytes(file, dataset_) / rowBytes);
+  checkLayout(dataset_, type, rows_ * rowBytes, path_);
 }
 
 std::size_t Hdf5Values::rowSize() const {
@@ -102,7 +133,9 @@ std::string Hdf5Input::text(const std::string& path) const {
   const H5 type(H5Dget_type(dataset), "read the type of " + path);
   if (H5Tget_class(type) != H5T_STRING || H5Tis_variable_str(type) != 0 || !extentOf(dataset, path).empty())
     throw Hdf5Error(path + " does not hold one text of fixed length");
-  std::string text(H5Tget_size(type), '\0');
+  const std::size_t size = H5Tget_size(type);
+  if (size > storedBytes(file_, dataset)) throw Hdf5Error(path + " is damaged: it is longer than the file");
+  std::string text(size, '\0');
   const H5 inMemory(H5Tcopy(type), "read " + path);
   checkHdf5(H5Dread(dataset, inMemory, H5S_ALL, H5S_ALL, H5P_DEFAULT, text.data()), "read " + path);
   text.resize(std::min(text.size(), text.find('\0')));
@@ -115,8 +148,9 @@ std::vector<std::int32_t> Hdf5Input::integers(const std::string& path, const cha
   const H5 type(H5Aget_type(at), what);
   const H5 space(H5Aget_space(at), what);
   if (H5Tget_class(type) != H5T_INTEGER) throw Hdf5Error("cannot " + what + ": it is no integer");
-  std::vector<std::int32_t> values(
-      static_cast<std::size_t>(checkHdf5(H5Sget_simple_extent_npoints(space), what)));
+  const auto count = static_cast<std::size_t>(checkHdf5(H5Sget_simple_extent_npoints(space), what));
+  if (count > mostIntegers) throw Hdf5Error("cannot " + what + ": it holds too many");
+  std::vector<std::int32_t> values(count);
   checkHdf5(H5Aread(at, H5T_NATIVE_INT32, values.data()), what);
   return values;
 }

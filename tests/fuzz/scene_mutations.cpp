@@ -153,7 +153,7 @@ void mutateLine(std::vector<std::string>& all, std::size_t at, Rng& rng) {
       line += '\n' + keyInItsTable(anyKey(rng), rng);
       return;
     case 3:
-      line = fmt::format("{} = {}", repeated("a.", std::size_t{1} << below(14, rng)) + "a", anyValue(rng));
+      line = fmt::format("{} = {}", repeated("a.", std::size_t{1} << below(16, rng)) + "a", anyValue(rng));
       return;
     case 4:
       line = fmt::format("{} ={}", anyKey(rng).key.name, line.substr(equals + 1));
