@@ -22,6 +22,10 @@ constexpr double packed = 0.4;
 /// Whole numbers up to here are exact in a double.
 constexpr double mostSteps = 1e15;
 
+/// Frames hold places in single precision, to 6e-8 of the bed's size; that is 6 % of a diameter in a bed of
+/// so many.
+constexpr double mostDiameters = 1e6;
+
 class Rules {
  public:
   explicit Rules(const Scene& scene) : scene_(scene) {}
@@ -50,6 +54,8 @@ class Rules {
       add("bed.thickness", {"particles.diameter"},
           fmt::format("the bed is {} m thick, but its particles are {} m; give at least a diameter",
                       bed.thickness, d));
+    sizeFitsFrames("bed.width", bed.width);
+    sizeFitsFrames("bed.height", bed.height);
     if (bed.width < d)
       add("bed.width", {"particles.diameter"},
           fmt::format("the bed is {} m wide, narrower than a particle ({} m)", bed.width, d));
@@ -74,6 +80,15 @@ class Rules {
               "{} particles do not fit under the lid: even the closest packing holds {:.0f}; take fewer, "
               "a taller bed or top = \"open\"",
               scene_.particles.count, room));
+  }
+
+  void sizeFitsFrames(const std::string& path, double size) {
+    const double diameters = size / scene_.particles.diameter;
+    if (diameters > mostDiameters)
+      add(path, {"particles.diameter"},
+          fmt::format("{} is {:.3g} particle diameters; frames are precise enough for a bed of {:g}, so take "
+                      "a smaller bed or larger particles",
+                      path, diameters, mostDiameters));
   }
 
   void contacts() {

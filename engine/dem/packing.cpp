@@ -19,7 +19,6 @@ namespace {
 constexpr double siteOverDiameter = 1.25;
 constexpr double sitesPerParticle = 1.1;
 constexpr double leastSite = 1.01;   // of a diameter
-constexpr double mostColumns = 1e6;  // of more sites than particles; a bed may be any width
 constexpr double restSpeed = 1e-3;   // m/s
 constexpr double restTime = 0.02;    // s
 constexpr double longestFall = 3.0;  // s
@@ -50,7 +49,7 @@ std::optional<Lattice> layLattice(const Scene& scene) {
   const double bottom = highestFloor(scene);
   const auto wanted = std::ceil(sitesPerParticle * static_cast<double>(scene.particles.count));
   for (double site = siteOverDiameter; site >= leastSite; site -= 0.01) {
-    const double columns = std::min(std::floor(scene.bed.width / (site * d)), std::max(wanted, mostColumns));
+    const double columns = std::floor(scene.bed.width / (site * d));
     if (columns < 1.0) continue;
     double rows = std::ceil(wanted / columns);
     if (scene.bed.top == BedTop::lid) {

@@ -57,6 +57,12 @@ INSTANTIATE_TEST_SUITE_P(
                   s.flux.reset();
                 },
                 "bed.width", "narrower than a particle"},
+        Spoiled{"EndlessBed",
+                [](Scene& s) {
+                  s.bed.width = 1e308;
+                  s.gas.reset();
+                },
+                "bed.width", "inf particle diameters"},
         Spoiled{"SteepFloor",
                 [](Scene& s) {
                   s.floor.inclinationDeg = 60.0;
