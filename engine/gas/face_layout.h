@@ -55,7 +55,7 @@ struct FaceLayout {
   std::vector<double> width, height;          // of columns and rows, m
 
   // Per face:
-  std::vector<double> faceArea;  // m2, 0 outside the grid
+  std::vector<double> faceArea;      // m2, 0 outside the grid
   std::vector<double> solved;        // 1 where there is a momentum volume, else 0
   std::vector<double> volume;        // m3; 1 where nothing is solved
   std::vector<double> alongSide;     // lower side along: area over distance to that neighbour, m
