@@ -53,15 +53,6 @@ class ThreadTeam {
     return {n * m / all, n * (m + 1) / all};
   }
 
-  /// Calls body(item) for all items below `n`, whose work must not depend on each other's. Not within run().
-  template <class Body>
-  void forEach(std::size_t n, Body&& body) {
-    run([&](int member) {
-      const Range mine = share(n, member);
-      for (std::size_t i = mine.begin; i < mine.end; ++i) body(i);
-    });
-  }
-
  private:
   void runTogether();
   void meet();

@@ -8,7 +8,7 @@
 #define BEDMIX_COUPLING_LOCATE_INL_H_
 #endif
 
-#include "engine/core/vec2.h"
+#include "engine/core/plane-inl.h"
 #include "engine/coupling/batch.h"
 #include "engine/coupling/coupling_grid.h"
 
@@ -27,38 +27,6 @@ HWY_INLINE void forVectors(std::size_t n, const Body& body) {
   std::size_t i = 0;
   for (; i + hn::Lanes(d) <= n; i += hn::Lanes(d)) body(d, i);
   for (; i < n; ++i) body(single, i);
-}
-
-template <class D>
-struct Plane {
-  hn::Vec<D> x, y;
-};
-
-/// Pairs (x, y) one after the other.
-template <class D>
-HWY_INLINE Plane<D> loadPairs(D d, const double* from) {
-  Plane<D> p;
-  if constexpr (hn::MaxLanes(D()) == 1) {
-    p = {hn::Load(d, from), hn::Load(d, from + 1)};
-  } else {
-    hn::LoadInterleaved2(d, from, p.x, p.y);
-  }
-  return p;
-}
-
-template <class D>
-HWY_INLINE Plane<D> loadPlane(D d, const Vec2* from) {
-  return loadPairs(d, &from->x);
-}
-
-template <class D, class V>
-HWY_INLINE void storePairs(D d, V a, V b, double* to) {
-  if constexpr (hn::MaxLanes(D()) == 1) {
-    hn::Store(a, d, to);
-    hn::Store(b, d, to + 1);
-  } else {
-    hn::StoreInterleaved2(a, b, d, to);
-  }
 }
 
 /// A vector of places along one axis.

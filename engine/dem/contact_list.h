@@ -86,9 +86,9 @@ class ContactList {
   /// How many blocks further contacts reach at most.
   std::size_t reach() const { return reach_; }
 
-  /// A new list is made in four calls, each once all members have done the last one: sort() by one of them,
-  /// who then moves particles to their new order() unless it is false, not all being at finite places; find()
-  /// for each block; link() by one; and refresh() is done.
+  /// A new list is made in three steps, each once all members have done the last one: sort() by one of them,
+  /// who then moves the particles to their new order() unless it is false, not all being at finite places;
+  /// find() for each block, which picks the near ones too; and link() by one.
   bool sort(const std::vector<Body>& bodies);
   const std::vector<std::int32_t>& order() const { return order_.order(); }
   void find(std::size_t block, const std::vector<Body>& bodies, ContactSlots& spare);

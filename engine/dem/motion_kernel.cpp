@@ -7,41 +7,14 @@
 #define HWY_TARGET_INCLUDE "engine/dem/motion_kernel.cpp"
 #include <hwy/foreach_target.h>
 // After foreach_target.h.
+#include "engine/core/plane-inl.h"
+
 #include <hwy/highway.h>
 
 HWY_BEFORE_NAMESPACE();
 namespace bedmix::HWY_NAMESPACE {
 
 namespace {
-
-namespace hn = hwy::HWY_NAMESPACE;
-
-template <class D>
-struct Plane {
-  hn::Vec<D> x, y;
-};
-
-template <class D>
-HWY_INLINE Plane<D> load(D d, const Vec2* from) {
-  Plane<D> p;
-  if constexpr (hn::MaxLanes(D()) == 1) {
-    p.x = hn::LoadU(d, &from->x);
-    p.y = hn::LoadU(d, &from->y);
-  } else {
-    hn::LoadInterleaved2(d, &from->x, p.x, p.y);
-  }
-  return p;
-}
-
-template <class D>
-HWY_INLINE void store(D d, const Plane<D>& p, Vec2* to) {
-  if constexpr (hn::MaxLanes(D()) == 1) {
-    hn::StoreU(p.x, d, &to->x);
-    hn::StoreU(p.y, d, &to->y);
-  } else {
-    hn::StoreInterleaved2(p.x, p.y, d, &to->x);
-  }
-}
 
 /// A row of each of some particles.
 template <class D>
@@ -96,13 +69,13 @@ class Mover {
     Plane<D> force{sums.a, sums.b};
     auto braking = zero;  // dt/2 drag/m
     if constexpr (dragged) {
-      force = add(force, load(d, k_.external + i));
+      force = add(force, loadPlane(d, k_.external + i));
       braking = hn::Mul(hn::Mul(half, hn::LoadU(d, k_.drag + i)), hn::Set(d, k_.perMass));
     }
     Plane<D> gain = scale<D>(hn::Set(d, k_.perMass), force);
     gain.y = hn::Sub(gain.y, hn::Set(d, k_.gravity));
     gain = scale<D>(half, gain);
-    Plane<D> v = load(d, k_.velocity + i);
+    Plane<D> v = loadPlane(d, k_.velocity + i);
     if constexpr (kicks) {
       if constexpr (dragged) v = scale<D>(hn::Sub(one, braking), v);
       v = add(v, gain);
@@ -121,9 +94,9 @@ class Mover {
       clear(d, i);
     } else {
       const Rows<D> body = loadRows(d, &k_.body[i].position.x);
-      store(d, {body.a, body.b}, k_.position + i);
+      storePlane<D>(d, {body.a, body.b}, k_.position + i);
     }
-    store(d, v, k_.velocity + i);
+    storePlane<D>(d, v, k_.velocity + i);
     if constexpr (turns) turn(d, i, sums.c);
 
     const auto speed2 = hn::Add(hn::Mul(v.x, v.x), hn::Mul(v.y, v.y));

@@ -73,7 +73,7 @@ StepOutcome VelocityVerlet::advance(BedState& bed, std::int64_t steps, double ma
     bed.seconds.contacts += share * m.others;
     bed.seconds.integrate += (1.0 - share) * m.others;
   });
-  taken_ += outcome.steps;
+  stepsBefore_ += outcome.steps;
   for (const double v2 : fastest2_) outcome.finite &= std::isfinite(v2);
   if (outcome.steps < steps || !outcome.finite)
     for (std::size_t i = 0; i < bed.bodies.size(); ++i) bed.particles.position[i] = bed.bodies[i].position;
@@ -94,7 +94,7 @@ void VelocityVerlet::walk(BedState& bed, Member& m, std::int64_t steps, double m
   for (std::int64_t& taken = m.outcome.steps; taken < steps;) {
     bed.team.barrier();
     m.lap(m.others);
-    m.sampled = m.index == 0 && (taken_ + taken) % sampledSteps == 0;
+    m.sampled = m.index == 0 && (stepsBefore_ + taken) % sampledSteps == 0;
     if (taken > 0 && *std::max_element(deepest_.begin(), deepest_.end()) > maxOverlap) return;
     m.outcome.finite = keepLists(bed, m);
     m.lap(m.neighbours);

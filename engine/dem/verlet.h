@@ -55,7 +55,7 @@ class VelocityVerlet {
   std::vector<double> deepest_;   // overlap, m
   std::vector<ContactList::Displacements> displacements_;
   bool sorted_ = true;
-  std::int64_t taken_ = 0;                         // steps, of all calls
+  std::int64_t stepsBefore_ = 0;                   // of earlier calls
   double contactShare_ = 0.0, motionShare_ = 0.0;  // s, of the sampled steps
 };
 
