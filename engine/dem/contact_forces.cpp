@@ -29,11 +29,11 @@ void watchPairs(const BedState& bed, ContactBlock& block, const ContactSlots& sl
 
 }  // namespace
 
-ContactForces::ContactForces(const Scene& scene, double halfStep) {
+ContactForces::ContactForces(const Scene& scene) {
   const double radius = scene.particles.diameter / 2.0;
   const bool friction = scene.contacts.friction.has_value();
-  pair_ = {pairLaw(scene), radius, halfStep, friction};
-  wall_ = {wallLaw(scene), radius, halfStep, friction};
+  pair_ = {pairLaw(scene), radius, 0.0, friction};
+  wall_ = {wallLaw(scene), radius, 0.0, friction};
 }
 
 void ContactForces::addCrossing(BedState& bed, std::size_t b, const Motion& at, const Tangential& t) const {

@@ -17,8 +17,10 @@ inline Tangential inPlace(ContactSlots& slots) {
 /// Evaluates the contacts of a bed, block by block.
 class ContactForces {
  public:
-  /// Springs grow by halfStep (s) times their old and their new slip.
-  ContactForces(const Scene& scene, double halfStep);
+  /// Springs do not grow before setStep().
+  explicit ContactForces(const Scene& scene);
+  /// Springs grow by half of this (s) times their old and their new slip.
+  void setStep(double seconds) { pair_.halfStep = wall_.halfStep = 0.5 * seconds; }
 
   /// Adds the contacts of a block to its particles' loads, and keeps what goes to later blocks in it: those
   /// that cross into later ones, then those at walls, then pairs within it as they ascend. history(slots, k)

@@ -47,7 +47,7 @@ class Solver final : public ParticleSolver {
       : ParticleSolver(scene, std::move(start), walls, team),
         integrator_(scene, bed_),
         maxOverlap_(scene.limits.maxOverlap * scene.particles.diameter),
-        stepInDiameters_(scene.time.step / scene.particles.diameter) {}
+        diameter_(scene.particles.diameter) {}
 
   std::optional<DemTrouble> advance(std::int64_t steps) override {
     if (!begun_) {
@@ -61,7 +61,7 @@ class Solver final : public ParticleSolver {
     if (!trouble && steps > 0 && deepestOverlap(bed_) > maxOverlap_)
       trouble = DemTrouble{largestOverlapParticle(), largestOverlap(), DemTrouble::Kind::overlap, "contacts"};
     fastest_ = findFastest(bed_.particles);
-    const double way = fastest_.speed * stepInDiameters_;
+    const double way = fastest_.speed * (bed_.step / diameter_);
     if (!trouble && way > furthestInAStep)
       trouble = DemTrouble{fastest_.particle, way, DemTrouble::Kind::speed, "integrate"};
     if (trouble) trouble->steps = outcome.steps;
@@ -72,8 +72,8 @@ class Solver final : public ParticleSolver {
   void goOn() override { integrator_.goOn(bed_); }
 
   Integrator integrator_;
-  double maxOverlap_;       // m
-  double stepInDiameters_;  // s/m
+  double maxOverlap_;  // m
+  double diameter_;    // m
 };
 
 }  // namespace

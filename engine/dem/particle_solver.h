@@ -41,7 +41,9 @@ class ParticleSolver {
                                               ThreadTeam& team = oneThread());
   virtual ~ParticleSolver() = default;
 
-  /// Takes `steps` steps of the scene's length. Empty when all is well; else the bed must not be advanced
+  /// Length of the steps from now on, s; the scene's until this is called. save() leaves it out.
+  void setStep(double seconds) { bed_.step = seconds; }
+  /// Takes `steps` steps. Empty when all is well; else the bed must not be advanced
   /// further.
   [[nodiscard]] virtual std::optional<DemTrouble> advance(std::int64_t steps) = 0;
 

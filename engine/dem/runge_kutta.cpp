@@ -40,7 +40,7 @@ void forSlots(BedState& bed, Visit&& visit) {
 
 }  // namespace
 
-RungeKutta4::RungeKutta4(const Scene& scene, const BedState& bed) : contacts_(scene, 0.0) {
+RungeKutta4::RungeKutta4(const Scene& scene, const BedState& bed) : contacts_(scene) {
   sum_.position.resize(bed.particles.size());
   sum_.velocity.resize(bed.particles.size());
   sum_.spin.resize(bed.particles.spin.size());

@@ -15,8 +15,7 @@ constexpr int sampledSteps = 13;
 }  // namespace
 
 VelocityVerlet::VelocityVerlet(const Scene& scene, const BedState& bed)
-    : atStart_(scene, 0.0),
-      contacts_(scene, 0.5 * bed.step),
+    : contacts_(scene),
       spare_(bed.team.size()),
       fastest2_(bed.contacts.blocks()),
       deepest_(bed.contacts.blocks()),
@@ -51,7 +50,7 @@ void VelocityVerlet::begin(BedState& bed) {
     rebuild(bed, m);
     const Motion at{bed.bodies.data(), bed.spinAhead.data()};
     for (std::size_t b = m.blocks.begin; b < m.blocks.end; ++b)
-      atStart_.evaluate(bed, b, at, [](ContactSlots& slots, std::size_t) { return inPlace(slots); });
+      contacts_.evaluate(bed, b, at, [](ContactSlots& slots, std::size_t) { return inPlace(slots); });
     bed.team.barrier();
     for (std::size_t b = m.blocks.begin; b < m.blocks.end; ++b) ContactForces::addIncoming(bed, b);
     if (index == 0) bed.budget = m.budget;
@@ -60,6 +59,7 @@ void VelocityVerlet::begin(BedState& bed) {
 
 StepOutcome VelocityVerlet::advance(BedState& bed, std::int64_t steps, double maxOverlap) {
   if (steps == 0) return {};
+  contacts_.setStep(bed.step);
   StepOutcome outcome;
   bed.team.run([&](int index) {
     Member m = start(bed, index);

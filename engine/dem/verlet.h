@@ -48,7 +48,7 @@ class VelocityVerlet {
   double finish(BedState& bed, std::size_t b, Member& m, const MotionKernel& kernel, bool last);
   MotionKernel motion(BedState& bed) const;
 
-  ContactForces atStart_, contacts_;
+  ContactForces contacts_;
   std::vector<ContactSlots> spare_;  // of each member
   // Of each block; written after the members' second meeting in a step, read after the first.
   std::vector<double> fastest2_;  // (m/s)2

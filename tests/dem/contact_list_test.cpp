@@ -267,7 +267,7 @@ TEST(ContactList, ForcesAreThoseOfAllPairs) {
         s->spring[c] = rng.uniform(-1e-4, 1e-4);
         pairs.push_back({s->first[c], s->second[c], s->spring[c], &s->spring[c]});
       }
-  const ContactForces forces(scene, 0.0);
+  const ContactForces forces(scene);
   const Motion at{bed.bodies.data(), bed.spinAhead.data()};
   for (std::size_t b = 0; b < bed.contacts.blocks(); ++b)
     forces.evaluate(bed, b, at, [](ContactSlots& s, std::size_t) { return inPlace(s); });
