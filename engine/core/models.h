@@ -17,7 +17,7 @@ struct ModelInfo {
 };
 
 /// How particles are advanced in time.
-enum class Integrator { velocityVerlet, rk4 };
+enum class Integrator { velocityVerlet, rk4, symplecticEuler, verletOnset };
 /// Momentum exchange between gas and particles.
 enum class DragLaw { ergunWenYu, ergunWenYuPrinted, ergun, wenYu };
 /// How pressure and velocity are brought together in one gas step.
@@ -43,6 +43,12 @@ inline constexpr std::array modelTable<Integrator>{
               "Swope et al. (1982), J. Chem. Phys. 76:637"},
     ModelInfo{"rk4", "classical 4th-order Runge-Kutta, tangential springs as state",
               "Tian et al. (2007), Fuel Process. Technol. 88:187"},
+    ModelInfo{"symplectic-euler", "v += a dt, x += v dt",
+              "Hairer, Lubich & Wanner (2003), Acta Numer. 12:399"},
+    ModelInfo{"verlet-onset",
+              "velocity-verlet with the mean contact force over [t - dt/2, t + dt/2] along the overlap's "
+              "tangent: contacts begin and end within a step",
+              "this program, assets/docs/model.md"},
 };
 template <>
 inline constexpr std::array modelTable<DragLaw>{

@@ -68,8 +68,8 @@ bool BedState::load(StateReader& in, bool begun) {
   if (!particles.load(in)) return false;
   if (begun && !(contacts.load(in, bodies) && in.getAll(loads) && in.get(budget))) return false;
   placeBodies();
-  const SkinBudget full = contacts.fullBudget();
-  return budget.outer <= full.outer && budget.inner <= full.inner;
+  const double skin = contacts.fullBudget(0.0).outer;
+  return budget.outer <= skin && budget.inner <= skin;
 }
 
 }  // namespace bedmix

@@ -32,8 +32,9 @@ void watchPairs(const BedState& bed, ContactBlock& block, const ContactSlots& sl
 ContactForces::ContactForces(const Scene& scene) {
   const double radius = scene.particles.diameter / 2.0;
   const bool friction = scene.contacts.friction.has_value();
-  pair_ = {pairLaw(scene), radius, 0.0, friction};
-  wall_ = {wallLaw(scene), radius, 0.0, friction};
+  const bool onset = scene.time.integrator == Integrator::verletOnset;
+  pair_ = {pairLaw(scene), radius, 0.0, friction, onset};
+  wall_ = {wallLaw(scene), radius, 0.0, friction, onset};
 }
 
 void ContactForces::addCrossing(BedState& bed, std::size_t b, const Motion& at, const Tangential& t) const {

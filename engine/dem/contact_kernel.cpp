@@ -110,7 +110,19 @@ HWY_ALIGN constexpr double signs[] = {-0.0, -0.0, 0.0, 0.0};
 HWY_INLINE void addOther(Load* load, V row) { addRow(load, hn::Xor(row, hn::Load(D(), signs))); }
 HWY_INLINE void addOther(Load* load, V force, V torque) { addRow(load, hn::Neg(force), torque); }
 
-template <bool friction>
+/// The part of the step around an instant for which two bodies touch, if they go on as they do, and the
+/// means over the step.
+struct Window {
+  V share;    // of the step
+  V overlap;  // m, counted as 0 while they do not touch
+  V rate;     // m/s
+};
+
+constexpr double shortest = 1e-300;  // m; stands for a way of zero
+constexpr double least = 1e-9;       // share that a sliding spring is set from
+
+/// Of the force at an instant, or, with `onset`, of its mean over the step around it.
+template <bool friction, bool onset>
 class Law {
  public:
   explicit Law(const ContactKernel& kernel)
@@ -123,6 +135,7 @@ class Law {
         tangentialDamping_(hn::Set(d_, kernel.law.tangentialDamping)),
         friction_(hn::Set(d_, kernel.law.friction)),
         halfStep_(hn::Set(d_, kernel.halfStep)),
+        pull_(hn::Set(d_, onset ? kernel.halfStep * kernel.law.stiffness / kernel.law.mass : 0.0)),
         radius_(hn::Set(d_, kernel.radius)),
         closest2_(reach2_) {}
 
@@ -136,7 +149,11 @@ class Law {
                         const Tangential& t, Push& push) {
     const V distance2 = dot(apart, apart);
     const M touching = hn::And(among, hn::Lt(distance2, reach2_));
-    if (hn::AllFalse(d_, touching)) {
+    M acting = touching;
+    // Who gets within reach in half a step: (r + g)^2 < r^2 + 2 g (r + g), g = dt/2 |dot(v, n)|.
+    if constexpr (onset)
+      acting = hn::And(among, hn::Lt(distance2, hn::Add(reach2_, twoWays(hn::Abs(dot(apart, velocity))))));
+    if (hn::AllFalse(d_, acting)) {
       if constexpr (friction) {
         hn::StoreU(hn::Zero(d_), d_, t.newSpring + at);
         hn::StoreU(hn::Zero(d_), d_, t.newSlip + at);
@@ -150,36 +167,92 @@ class Law {
     const V perDistance = hn::Div(hn::Set(d_, 1.0), distance);
     const V nx = hn::Mul(apart.x, perDistance), ny = hn::Mul(apart.y, perDistance);
     const V parting = dot(velocity, {nx, ny});
-    const V normal = hn::Sub(hn::Mul(stiffness_, hn::Sub(reach_, distance)), hn::Mul(damping_, parting));
+    const V overlap = hn::Sub(reach_, distance);
+    Window window{};
+    V normal;
+    if constexpr (onset) {
+      window = around(overlap, hn::Neg(parting));
+      acting = hn::And(acting, hn::Gt(window.share, hn::Zero(d_)));
+      normal =
+          hn::Add(hn::Mul(stiffness_, window.overlap), hn::Mul(hn::Mul(damping_, window.share), window.rate));
+    } else {
+      normal = hn::Sub(hn::Mul(stiffness_, overlap), hn::Mul(damping_, parting));
+    }
     V fx = hn::Neg(hn::Mul(normal, nx)), fy = hn::Neg(hn::Mul(normal, ny));
     push.torque = hn::Zero(d_);
     if constexpr (friction) {
       const V slip = hn::Add(hn::Sub(hn::Mul(velocity.x, ny), hn::Mul(velocity.y, nx)), rolling);
-      const V grown = hn::Mul(halfStep_, hn::Add(hn::LoadU(d_, t.slip + at), slip));
-      const V spring = hn::Add(hn::LoadU(d_, t.spring + at), grown);
       const V limit = hn::Mul(friction_, hn::Abs(normal));
-      const V stick =
-          hn::Neg(hn::Add(hn::Mul(tangentialStiffness_, spring), hn::Mul(tangentialDamping_, slip)));
-      const V force = hn::Max(hn::Min(stick, limit), hn::Neg(limit));
+      const V force =
+          onset ? rubInWindow(window, slip, limit, acting, at, t) : rub(slip, limit, acting, at, t);
       fx = hn::Sub(fx, hn::Mul(force, ny));
       fy = hn::Add(fy, hn::Mul(force, nx));
-      // Unchanged where it sticks.
-      const V left = hn::Add(spring, hn::Mul(hn::Sub(stick, force), perStiffness_));
-      hn::StoreU(hn::IfThenElseZero(touching, left), d_, t.newSpring + at);
-      hn::StoreU(hn::IfThenElseZero(touching, slip), d_, t.newSlip + at);
-      push.torque = hn::IfThenElseZero(touching, hn::Mul(radius_, force));
+      push.torque = hn::IfThenElseZero(acting, hn::Mul(radius_, force));
     }
-    push.fx = hn::IfThenElseZero(touching, fx);
-    push.fy = hn::IfThenElseZero(touching, fy);
+    push.fx = hn::IfThenElseZero(acting, fx);
+    push.fy = hn::IfThenElseZero(acting, fy);
     return true;
   }
 
   KernelReport report() const { return {hn::GetLane(hn::MinOfLanes(d_, closest2_)), count_}; }
 
  private:
+  HWY_INLINE V twoWays(V speed) const { return hn::Mul(hn::Add(halfStep_, halfStep_), speed); }
+
+  /// `rate` is foreseen with the forces of the last step. Those of the contact's own spring, which began
+  /// where the overlap was a step ago, are taken out of it, and put in again as they are now: else the
+  /// dashpot lags behind.
+  HWY_INLINE Window around(V overlap, V rate) const {
+    const V zero = hn::Zero(d_);
+    const V before = hn::Max(hn::Sub(overlap, twoWays(rate)), zero);
+    const V free = hn::Add(rate, hn::Mul(pull_, before));
+    const V way = hn::Mul(halfStep_, hn::Abs(free));
+    const V inside = hn::Max(hn::Add(overlap, way), zero);
+    const V share =
+        hn::Min(hn::Div(inside, hn::Max(hn::Add(way, way), hn::Set(d_, shortest))), hn::Set(d_, 1.0));
+    const V mean = hn::Max(overlap, hn::Mul(hn::Set(d_, 0.5), hn::Mul(inside, share)));
+    return {share, mean, hn::Sub(free, hn::Mul(pull_, mean))};
+  }
+
+  HWY_INLINE V clamp(V force, V limit) const { return hn::Max(hn::Min(force, limit), hn::Neg(limit)); }
+
+  HWY_INLINE V rub(V slip, V limit, M acting, std::size_t at, const Tangential& t) const {
+    const V grown = hn::Mul(halfStep_, hn::Add(hn::LoadU(d_, t.slip + at), slip));
+    const V spring = hn::Add(hn::LoadU(d_, t.spring + at), grown);
+    const V stick =
+        hn::Neg(hn::Add(hn::Mul(tangentialStiffness_, spring), hn::Mul(tangentialDamping_, slip)));
+    const V force = clamp(stick, limit);
+    // Unchanged where it sticks.
+    const V left = hn::Add(spring, hn::Mul(hn::Sub(stick, force), perStiffness_));
+    hn::StoreU(hn::IfThenElseZero(acting, left), d_, t.newSpring + at);
+    hn::StoreU(hn::IfThenElseZero(acting, slip), d_, t.newSlip + at);
+    return force;
+  }
+
+  /// The spring grows only in the part of the window in which they touch, and ends with a contact that does.
+  /// Stored is what it would be in the middle of the window if it had grown through all of it.
+  HWY_INLINE V rubInWindow(const Window& window, V slip, V limit, M acting, std::size_t at,
+                           const Tangential& t) const {
+    const V way = hn::Mul(halfStep_, slip);
+    const V first = hn::Add(hn::LoadU(d_, t.spring + at), hn::Mul(halfStep_, hn::LoadU(d_, t.slip + at)));
+    const V grown = hn::Mul(window.share, way);
+    const V stick =
+        hn::Neg(hn::Mul(window.share, hn::Add(hn::Mul(tangentialStiffness_, hn::Add(first, grown)),
+                                              hn::Mul(tangentialDamping_, slip))));
+    const V force = clamp(stick, limit);
+    const V last = hn::Add(first, hn::Sub(hn::Add(grown, grown), way));
+    const V slid =
+        hn::Div(hn::Mul(hn::Sub(stick, force), perStiffness_), hn::Max(window.share, hn::Set(d_, least)));
+    const M goesOn = hn::Or(hn::Ge(window.share, hn::Set(d_, 1.0)), hn::Gt(window.rate, hn::Zero(d_)));
+    const M kept = hn::And(acting, goesOn);
+    hn::StoreU(hn::IfThenElseZero(kept, hn::Add(last, slid)), d_, t.newSpring + at);
+    hn::StoreU(hn::IfThenElseZero(kept, slip), d_, t.newSlip + at);
+    return force;
+  }
+
   D d_;
   V reach_, reach2_, stiffness_, damping_, tangentialStiffness_, perStiffness_, tangentialDamping_, friction_;
-  V halfStep_, radius_, closest2_;
+  V halfStep_, pull_, radius_, closest2_;
   std::size_t count_ = 0;
 };
 
@@ -187,9 +260,10 @@ class Law {
 enum class Second { added, inRows };
 
 /// Those from `c` on; of the vector's lanes only those `among`.
-template <bool friction, Second where>
-HWY_INLINE void addPairs(Law<friction>& law, const Motion& at, const std::int32_t* i, const std::int32_t* j,
-                         std::size_t c, M among, const Tangential& t, Load* loads, Load* second) {
+template <bool friction, bool onset, Second where>
+HWY_INLINE void addPairs(Law<friction, onset>& law, const Motion& at, const std::int32_t* i,
+                         const std::int32_t* j, std::size_t c, M among, const Tangential& t, Load* loads,
+                         Load* second) {
   const D d;
   V rolling = hn::Zero(d);
   if constexpr (friction)
@@ -207,7 +281,7 @@ HWY_INLINE void addPairs(Law<friction>& law, const Motion& at, const std::int32_
   });
 }
 
-template <bool friction, Second where>
+template <bool friction, bool onset, Second where>
 KernelReport pairLoop(const ContactKernel& kernel, const Motion& motion, const PairIndices& pairs,
                       const Tangential& tangential, Load* loads, Load* second) {
   const D d;
@@ -216,14 +290,15 @@ KernelReport pairLoop(const ContactKernel& kernel, const Motion& motion, const P
   const std::int32_t *i = pairs.first, *j = pairs.second;
   const std::size_t end = pairs.slots.end;
   const M all = hn::FirstN(d, lanes);
-  Law<friction> law(kernel);
+  Law<friction, onset> law(kernel);
   std::size_t c = pairs.slots.begin;
-  for (; c + lanes <= end; c += lanes) addPairs<friction, where>(law, at, i, j, c, all, t, loads, second);
-  if (c < end) addPairs<friction, where>(law, at, i, j, c, hn::FirstN(d, end - c), t, loads, second);
+  for (; c + lanes <= end; c += lanes)
+    addPairs<friction, onset, where>(law, at, i, j, c, all, t, loads, second);
+  if (c < end) addPairs<friction, onset, where>(law, at, i, j, c, hn::FirstN(d, end - c), t, loads, second);
   return law.report();
 }
 
-template <bool friction>
+template <bool friction, bool onset>
 KernelReport wallLoop(const ContactKernel& kernel, const Motion& motion, const WallShape& wall,
                       const std::int32_t* particle, std::size_t count, const Tangential& tangential,
                       Load* loads) {
@@ -238,7 +313,7 @@ KernelReport wallLoop(const ContactKernel& kernel, const Motion& motion, const W
   const M none = hn::FirstN(d, 0), all = hn::FirstN(d, lanes);
   const Motion at = motion;
   const Tangential t = tangential;
-  Law<friction> law(kernel);
+  Law<friction, onset> law(kernel);
   for (std::size_t c = 0; c < count; c += lanes) {
     const std::int32_t* i = particle + c;
     const auto [centre, velocity] = load(at.body, i);
@@ -265,24 +340,31 @@ KernelReport wallLoop(const ContactKernel& kernel, const Motion& motion, const W
   return law.report();
 }
 
+template <Second where>
+KernelReport anyPairs(const ContactKernel& kernel, const Motion& at, const PairIndices& pairs,
+                      const Tangential& t, Load* loads, Load* second) {
+  const auto smooth = kernel.onset ? pairLoop<false, true, where> : pairLoop<false, false, where>;
+  const auto rough = kernel.onset ? pairLoop<true, true, where> : pairLoop<true, false, where>;
+  return (kernel.friction ? rough : smooth)(kernel, at, pairs, t, loads, second);
+}
+
 }  // namespace
 
 KernelReport pairs(const ContactKernel& kernel, const Motion& at, const PairIndices& pairs,
                    const Tangential& t, Load* loads) {
-  const auto loop = kernel.friction ? pairLoop<true, Second::added> : pairLoop<false, Second::added>;
-  return loop(kernel, at, pairs, t, loads, nullptr);
+  return anyPairs<Second::added>(kernel, at, pairs, t, loads, nullptr);
 }
 
 KernelReport crossing(const ContactKernel& kernel, const Motion& at, const PairIndices& pairs,
                       const Tangential& t, Load* loads, Load* second) {
-  const auto loop = kernel.friction ? pairLoop<true, Second::inRows> : pairLoop<false, Second::inRows>;
-  return loop(kernel, at, pairs, t, loads, second);
+  return anyPairs<Second::inRows>(kernel, at, pairs, t, loads, second);
 }
 
 KernelReport wall(const ContactKernel& kernel, const Motion& at, const WallShape& wall,
                   const std::int32_t* particle, std::size_t count, const Tangential& t, Load* loads) {
-  const auto loop = kernel.friction ? wallLoop<true> : wallLoop<false>;
-  return loop(kernel, at, wall, particle, count, t, loads);
+  const auto smooth = kernel.onset ? wallLoop<false, true> : wallLoop<false, false>;
+  const auto rough = kernel.onset ? wallLoop<true, true> : wallLoop<true, false>;
+  return (kernel.friction ? rough : smooth)(kernel, at, wall, particle, count, t, loads);
 }
 
 }  // namespace bedmix::HWY_NAMESPACE

@@ -44,11 +44,15 @@ struct KernelReport {
 
 /// A spring grows by halfStep (s) times its old and its new slip; at Coulomb's limit it is set so that spring
 /// and dashpot together give just that. Without friction there is no tangential force, torque or spring.
+/// With `onset` the force is not that at the instant but its mean over the step around it, through which the
+/// bodies go on as they do: a contact that begins or ends within it acts for its part of it, and one already
+/// acts that is up to half a step away. Velocities must be foreseen with the forces of the last step then.
 struct ContactKernel {
   SpringDashpot law;
   double radius;    // m
   double halfStep;  // s
   bool friction;
+  bool onset;
 
   /// Adds to both particles' loads.
   KernelReport pairs(const Motion& at, const PairIndices& pairs, const Tangential& t, Load* loads) const;

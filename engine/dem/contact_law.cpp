@@ -5,8 +5,9 @@ namespace bedmix {
 
 namespace {
 
-SpringDashpot contactLaw(const Scene& scene, double reach, double damping) {
+SpringDashpot contactLaw(const Scene& scene, double mass, double reach, double damping) {
   SpringDashpot law;
+  law.mass = mass;
   law.reach = reach;
   law.stiffness = scene.contacts.stiffness;
   law.damping = damping;
@@ -21,10 +22,10 @@ SpringDashpot contactLaw(const Scene& scene, double reach, double damping) {
 }  // namespace
 
 SpringDashpot pairLaw(const Scene& scene) {
-  return contactLaw(scene, scene.particles.diameter, pairDamping(scene));
+  return contactLaw(scene, particleMass(scene) / 2.0, scene.particles.diameter, pairDamping(scene));
 }
 SpringDashpot wallLaw(const Scene& scene) {
-  return contactLaw(scene, scene.particles.diameter / 2.0, wallDamping(scene));
+  return contactLaw(scene, particleMass(scene), scene.particles.diameter / 2.0, wallDamping(scene));
 }
 
 }  // namespace bedmix

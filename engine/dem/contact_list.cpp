@@ -10,7 +10,8 @@ namespace bedmix {
 namespace {
 
 constexpr double skinOverDiameter = 0.4;        // measured, see assets/docs/performance.md
-constexpr double innerSkinOverDiameter = 0.04;  // likewise
+constexpr double innerSkinOverDiameter = 0.04;  // at least; likewise
+constexpr double innerSkinOverWay = 6.0;        // likewise
 constexpr double leastRemainder = 0.125;  // of the skin; with less left a new list is cheaper than measuring
 constexpr std::size_t vector = 8;         // the longest vector, in doubles
 constexpr std::size_t portion = 512;      // candidates looked at before room is made for more
@@ -64,7 +65,6 @@ void ContactSlots::pad(std::int32_t own) {
 ContactList::ContactList(const Scene& scene, const std::vector<WallSegment>& walls, std::size_t particles)
     : diameter_(scene.particles.diameter),
       skin_(skinOverDiameter * diameter_),
-      innerSkin_(innerSkinOverDiameter * diameter_),
       friction_(scene.contacts.friction.has_value()),
       walls_(wallShapes(walls)),
       order_(diameter_ + skin_),
@@ -135,7 +135,8 @@ void ContactList::recall(ContactSlots& slots, std::int32_t wall) const {
   }
 }
 
-void ContactList::find(std::size_t b, const std::vector<Body>& bodies, ContactSlots& spare) {
+void ContactList::find(std::size_t b, double innerSkin, const std::vector<Body>& bodies,
+                       ContactSlots& spare) {
   ContactBlock& block = blocks_[b];
   findPairs(block, bodies);
   findWalls(block, bodies);
@@ -144,7 +145,7 @@ void ContactList::find(std::size_t b, const std::vector<Body>& bodies, ContactSl
   block.near.count = 0;
   block.near.reserve(0, true, friction_);
   block.near.pad(static_cast<std::int32_t>(block.particles.begin));
-  refresh(b, bodies, spare);
+  refresh(b, innerSkin, bodies, spare);
   if (!friction_) return;
   recall(block.near, 0);
   recall(block.crossing, 0);
@@ -215,7 +216,8 @@ void ContactList::link() {
   }
 }
 
-void ContactList::refresh(std::size_t b, const std::vector<Body>& bodies, ContactSlots& spare) {
+void ContactList::refresh(std::size_t b, double innerSkin, const std::vector<Body>& bodies,
+                          ContactSlots& spare) {
   ContactBlock& block = blocks_[b];
   std::swap(block.near, spare);
   block.near.count = 0;
@@ -225,9 +227,9 @@ void ContactList::refresh(std::size_t b, const std::vector<Body>& bodies, Contac
     const std::span some(block.candidates.data() + k, std::min(portion, block.candidateCount - k));
     block.near.reserve(block.near.count + some.size(), true, friction_);
     if (friction_)
-      choose<true>(some, bodies, old, met, block.near);
+      choose<true>(some, innerSkin, bodies, old, met, block.near);
     else
-      choose<false>(some, bodies, old, met, block.near);
+      choose<false>(some, innerSkin, bodies, old, met, block.near);
   }
   block.near.reserve(block.near.count, true, friction_);
   block.near.pad(static_cast<std::int32_t>(block.particles.begin));
@@ -252,9 +254,10 @@ void ContactList::cutNear(ContactBlock& block) {
 
 // No branch: who is near is packed to the front, and the old ones are met in the same order.
 template <bool friction>
-void ContactList::choose(std::span<const ContactBlock::Pair> candidates, const std::vector<Body>& bodies,
-                         const ContactSlots& old, std::size_t& met, ContactSlots& near) const {
-  const double reach = diameter_ + innerSkin_;
+void ContactList::choose(std::span<const ContactBlock::Pair> candidates, double innerSkin,
+                         const std::vector<Body>& bodies, const ContactSlots& old, std::size_t& met,
+                         ContactSlots& near) const {
+  const double reach = diameter_ + innerSkin;
   constexpr double kept[] = {0.0, 1.0};
   std::size_t count = near.count;
   for (const auto& [i, j] : candidates) {
@@ -302,7 +305,7 @@ bool ContactList::load(StateReader& in, std::vector<Body>& bodies) {
   // They stand in the order that a list of these places gives them.
   if (!sort(bodies) || !std::is_sorted(order().begin(), order().end())) return false;
   ContactSlots spare;
-  for (std::size_t b = 0; b < blocks_.size(); ++b) find(b, bodies, spare);
+  for (std::size_t b = 0; b < blocks_.size(); ++b) find(b, 0.0, bodies, spare);
   link();
   for (ContactBlock& block : blocks_) {
     std::uint64_t touching = 0;
@@ -347,6 +350,10 @@ ContactList::Displacements ContactList::displacements(Range particles,
     d.add(dot(moved, moved));
   }
   return d;
+}
+
+double ContactList::innerSkin(double way) const {
+  return std::clamp(innerSkinOverWay * way, innerSkinOverDiameter * diameter_, skin_);
 }
 
 double ContactList::remainder(const Displacements& d) const {

@@ -91,12 +91,14 @@ class ContactList {
   /// find() for each block, which picks the near ones too; and link() by one.
   bool sort(const std::vector<Body>& bodies);
   const std::vector<std::int32_t>& order() const { return order_.order(); }
-  void find(std::size_t block, const std::vector<Body>& bodies, ContactSlots& spare);
+  void find(std::size_t block, double innerSkin, const std::vector<Body>& bodies, ContactSlots& spare);
   void link();
-  /// Picks those within the inner skin anew. `spare` lends its memory; one a member.
-  void refresh(std::size_t block, const std::vector<Body>& bodies, ContactSlots& spare);
+  /// Picks those within the inner skin (m) anew. `spare` lends its memory; one a member.
+  void refresh(std::size_t block, double innerSkin, const std::vector<Body>& bodies, ContactSlots& spare);
 
-  SkinBudget fullBudget() const { return {skin_, innerSkin_}; }
+  /// The inner skin to choose where the fastest goes `way` (m) in a step.
+  double innerSkin(double way) const;
+  SkinBudget fullBudget(double way) const { return {skin_, innerSkin(way)}; }
   /// Squares of the two largest displacements in a block since the list was made.
   struct Displacements {
     double largest = 0.0, second = 0.0;
@@ -119,10 +121,11 @@ class ContactList {
   void recall(ContactSlots& slots, std::int32_t wall) const;
   bool loadNear(ContactBlock& block, StateReader& in) const;
   template <bool friction>
-  void choose(std::span<const ContactBlock::Pair> candidates, const std::vector<Body>& bodies,
-              const ContactSlots& old, std::size_t& met, ContactSlots& near) const;
+  void choose(std::span<const ContactBlock::Pair> candidates, double innerSkin,
+              const std::vector<Body>& bodies, const ContactSlots& old, std::size_t& met,
+              ContactSlots& near) const;
 
-  double diameter_, skin_, innerSkin_;
+  double diameter_, skin_;
   bool friction_;
   std::int64_t builds_ = 0;
   std::size_t reach_ = 0;

@@ -64,29 +64,35 @@ class Mover {
   /// Those from `i` on, as many as D has lanes; the larger of `fastest2` and their squared speeds.
   template <class D>
   HWY_INLINE hn::Vec<D> move(D d, std::size_t i, hn::Vec<D> fastest2) const {
-    const auto one = hn::Set(d, 1.0), half = hn::Set(d, 0.5 * k_.step), zero = hn::Zero(d);
+    const auto one = hn::Set(d, 1.0), zero = hn::Zero(d);
+    const auto early = hn::Set(d, k_.early), late = hn::Set(d, k_.late);
     const Rows<D> sums = loadRows(d, &k_.loads[i].force.x);
     Plane<D> force{sums.a, sums.b};
-    auto braking = zero;  // dt/2 drag/m
+    auto braking = zero;  // drag/m
     if constexpr (dragged) {
       force = add(force, loadPlane(d, k_.external + i));
-      braking = hn::Mul(hn::Mul(half, hn::LoadU(d, k_.drag + i)), hn::Set(d, k_.perMass));
+      braking = hn::LoadU(d, k_.drag + i);
     }
+    const auto brake = [&](auto seconds)
+                           HWY_ATTR { return hn::Mul(hn::Mul(seconds, braking), hn::Set(d, k_.perMass)); };
     Plane<D> gain = scale<D>(hn::Set(d, k_.perMass), force);
     gain.y = hn::Sub(gain.y, hn::Set(d, k_.gravity));
-    gain = scale<D>(half, gain);
     Plane<D> v = loadPlane(d, k_.velocity + i);
     if constexpr (kicks) {
-      if constexpr (dragged) v = scale<D>(hn::Sub(one, braking), v);
-      v = add(v, gain);
+      if constexpr (dragged) v = scale<D>(hn::Sub(one, brake(late)), v);
+      v = add(v, scale<D>(late, gain));
     }
     if constexpr (drifts) {
       const Plane<D> start = v;
-      v = add(v, gain);
-      if constexpr (dragged) v = scale<D>(hn::Div(one, hn::Add(one, braking)), v);
-      Plane<D> ahead = add(v, gain);
-      if constexpr (dragged)
-        ahead = {hn::Sub(hn::Add(v.x, v.x), start.x), hn::Sub(hn::Add(v.y, v.y), start.y)};
+      v = add(v, scale<D>(early, gain));
+      if constexpr (dragged) v = scale<D>(hn::Div(one, hn::Add(one, brake(early))), v);
+      Plane<D> ahead = add(v, scale<D>(late, gain));
+      // What the early part gained, drag included, the late one is taken to gain in proportion.
+      if constexpr (dragged) {
+        const auto ratio = hn::Set(d, k_.late / k_.early);
+        ahead = {hn::Sub(hn::Add(v.x, hn::Mul(ratio, v.x)), hn::Mul(ratio, start.x)),
+                 hn::Sub(hn::Add(v.y, hn::Mul(ratio, v.y)), hn::Mul(ratio, start.y))};
+      }
       double* const body = &k_.body[i].position.x;
       const Rows<D> before = loadRows(d, body);
       const Plane<D> moved = add({before.a, before.b}, scale<D>(hn::Set(d, k_.step), v));
@@ -114,12 +120,13 @@ class Mover {
 
   template <class D>
   HWY_INLINE void turn(D d, std::size_t i, hn::Vec<D> torque) const {
-    const auto gain = hn::Mul(hn::Set(d, 0.5 * k_.step * k_.perInertia), torque);
+    const auto early = hn::Mul(hn::Set(d, k_.early * k_.perInertia), torque);
+    const auto late = hn::Mul(hn::Set(d, k_.late * k_.perInertia), torque);
     auto spin = hn::LoadU(d, k_.spin + i);
-    if constexpr (kicks) spin = hn::Add(spin, gain);
+    if constexpr (kicks) spin = hn::Add(spin, late);
     if constexpr (drifts) {
-      spin = hn::Add(spin, gain);
-      hn::StoreU(hn::Add(spin, gain), d, k_.spinAhead + i);
+      spin = hn::Add(spin, early);
+      hn::StoreU(hn::Add(spin, late), d, k_.spinAhead + i);
     }
     hn::StoreU(spin, d, k_.spin + i);
   }

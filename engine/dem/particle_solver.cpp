@@ -83,7 +83,7 @@ std::unique_ptr<ParticleSolver> ParticleSolver::make(const Scene& scene, Particl
                                                      ThreadTeam& team) {
   if (scene.time.integrator == Integrator::rk4)
     return std::make_unique<Solver<RungeKutta4>>(scene, std::move(start), walls, team);
-  return std::make_unique<Solver<VelocityVerlet>>(scene, std::move(start), walls, team);
+  return std::make_unique<Solver<Verlet>>(scene, std::move(start), walls, team);
 }
 
 ParticleSolver::ParticleSolver(const Scene& scene, Particles start, const std::vector<WallSegment>& walls,

@@ -167,8 +167,8 @@ bool RungeKutta4::renewLists(BedState& bed) {
   bed.placeBodies();
   bed.budget.outer = lists.remainder(lists.displacements({0, bed.bodies.size()}, bed.bodies));
   if (bed.budget.outer < 0.0) return rebuild(bed);
-  for (std::size_t b = 0; b < lists.blocks(); ++b) lists.refresh(b, bed.bodies, spare_);
-  bed.budget.inner = lists.fullBudget().inner;
+  bed.budget.inner = lists.innerSkin(0.0);
+  for (std::size_t b = 0; b < lists.blocks(); ++b) lists.refresh(b, bed.budget.inner, bed.bodies, spare_);
   fitHistory(bed);
   return true;
 }
@@ -176,9 +176,9 @@ bool RungeKutta4::renewLists(BedState& bed) {
 bool RungeKutta4::rebuild(BedState& bed) {
   if (!bed.sort()) return false;
   ContactList& lists = bed.contacts;
-  for (std::size_t b = 0; b < lists.blocks(); ++b) lists.find(b, bed.bodies, spare_);
+  bed.budget = lists.fullBudget(0.0);
+  for (std::size_t b = 0; b < lists.blocks(); ++b) lists.find(b, bed.budget.inner, bed.bodies, spare_);
   lists.link();
-  bed.budget = lists.fullBudget();
   fitHistory(bed);
   return true;
 }

@@ -14,22 +14,26 @@ constexpr int sampledSteps = 13;
 
 }  // namespace
 
-VelocityVerlet::VelocityVerlet(const Scene& scene, const BedState& bed)
+Verlet::Verlet(const Scene& scene, const BedState& bed)
     : contacts_(scene),
+      late_(scene.time.integrator == Integrator::symplecticEuler ? 0.0 : 0.5),
+      reachAhead_(scene.time.integrator == Integrator::verletOnset ? 2.0 : 0.0),
       spare_(bed.team.size()),
       fastest2_(bed.contacts.blocks()),
       deepest_(bed.contacts.blocks()),
       displacements_(bed.contacts.blocks()) {}
 
-VelocityVerlet::Member VelocityVerlet::start(const BedState& bed, int index) const {
+Verlet::Member Verlet::start(const BedState& bed, int index) const {
   return {.index = index, .blocks = bed.team.share(bed.contacts.blocks(), index), .budget = bed.budget};
 }
 
 // Null where there are none: the kernel leaves out what a scene does not use.
-MotionKernel VelocityVerlet::motion(BedState& bed) const {
+MotionKernel Verlet::motion(BedState& bed) const {
   Particles& p = bed.particles;
   const auto orNull = [](auto& values) { return values.empty() ? nullptr : values.data(); };
   return {.step = bed.step,
+          .early = (1.0 - late_) * bed.step,
+          .late = late_ * bed.step,
           .gravity = bed.gravity,
           .perMass = 1.0 / p.mass,
           .perInertia = 1.0 / p.inertia,
@@ -43,11 +47,11 @@ MotionKernel VelocityVerlet::motion(BedState& bed) const {
           .spinAhead = bed.spinAhead.data()};
 }
 
-void VelocityVerlet::begin(BedState& bed) {
+void Verlet::begin(BedState& bed) {
   bed.placeBodies();
   bed.team.run([&](int index) {
     Member m = start(bed, index);
-    rebuild(bed, m);
+    rebuild(bed, m, 0.0);
     const Motion at{bed.bodies.data(), bed.spinAhead.data()};
     for (std::size_t b = m.blocks.begin; b < m.blocks.end; ++b)
       contacts_.evaluate(bed, b, at, [](ContactSlots& slots, std::size_t) { return inPlace(slots); });
@@ -57,7 +61,7 @@ void VelocityVerlet::begin(BedState& bed) {
   });
 }
 
-StepOutcome VelocityVerlet::advance(BedState& bed, std::int64_t steps, double maxOverlap) {
+StepOutcome Verlet::advance(BedState& bed, std::int64_t steps, double maxOverlap) {
   if (steps == 0) return {};
   contacts_.setStep(bed.step);
   StepOutcome outcome;
@@ -83,7 +87,7 @@ StepOutcome VelocityVerlet::advance(BedState& bed, std::int64_t steps, double ma
 // Particles are moved as soon as their contacts are through, while they are in the cache: contacts are all
 // with who comes later in memory, and those have not moved yet. Only contacts that reach into the next
 // member's blocks come before that.
-void VelocityVerlet::walk(BedState& bed, Member& m, std::int64_t steps, double maxOverlap) {
+void Verlet::walk(BedState& bed, Member& m, std::int64_t steps, double maxOverlap) {
   const Motion at{bed.bodies.data(), bed.spinAhead.data()};
   const auto addCrossing = [&](std::size_t b) {
     contacts_.addCrossing(bed, b, at, inPlace(bed.contacts.block(b).crossing));
@@ -117,8 +121,7 @@ void VelocityVerlet::walk(BedState& bed, Member& m, std::int64_t steps, double m
 }
 
 // The pairs of a block and the end of its particles' step. Returns the square of the largest speed.
-double VelocityVerlet::finish(BedState& bed, std::size_t b, Member& m, const MotionKernel& kernel,
-                              bool last) {
+double Verlet::finish(BedState& bed, std::size_t b, Member& m, const MotionKernel& kernel, bool last) {
   const Motion at{bed.bodies.data(), bed.spinAhead.data()};
   ContactBlock& block = bed.contacts.block(b);
   const Tangential history = inPlace(block.near);
@@ -137,37 +140,38 @@ double VelocityVerlet::finish(BedState& bed, std::size_t b, Member& m, const Mot
 }
 
 // Every member comes to the same decisions, so that all meet as often.
-bool VelocityVerlet::keepLists(BedState& bed, Member& m) {
+bool Verlet::keepLists(BedState& bed, Member& m) {
   const double fastest2 = *std::max_element(fastest2_.begin(), fastest2_.end());
   if (!std::isfinite(fastest2)) return false;
-  m.budget.spend(std::sqrt(fastest2) * bed.step);
-  if (m.budget.outer < 0.0) {
+  const double way = std::sqrt(fastest2) * bed.step, needed = reachAhead_ * way;
+  m.budget.spend(way);
+  if (m.budget.outer < needed) {
     for (std::size_t b = m.blocks.begin; b < m.blocks.end; ++b)
       displacements_[b] = bed.contacts.displacements(bed.contacts.block(b).particles, bed.bodies);
     bed.team.barrier();
     ContactList::Displacements all;
     for (const ContactList::Displacements& d : displacements_) all.add(d.largest), all.add(d.second);
     m.budget.outer = bed.contacts.remainder(all);
-    if (m.budget.outer < 0.0) return rebuild(bed, m);
+    if (m.budget.outer < needed) return rebuild(bed, m, way);
   }
-  if (m.budget.inner >= 0.0) return true;
+  if (m.budget.inner >= needed) return true;
+  m.budget.inner = bed.contacts.innerSkin(way);
   for (std::size_t b = m.blocks.begin; b < m.blocks.end; ++b)
-    bed.contacts.refresh(b, bed.bodies, spare_[m.index]);
-  m.budget.inner = bed.contacts.fullBudget().inner;
+    bed.contacts.refresh(b, m.budget.inner, bed.bodies, spare_[m.index]);
   return true;
 }
 
-bool VelocityVerlet::rebuild(BedState& bed, Member& m) {
+bool Verlet::rebuild(BedState& bed, Member& m, double way) {
   bed.team.barrier();
   if (m.index == 0) sorted_ = bed.sort();
   bed.team.barrier();
   if (!sorted_) return false;
+  m.budget = bed.contacts.fullBudget(way);
   for (std::size_t b = m.blocks.begin; b < m.blocks.end; ++b)
-    bed.contacts.find(b, bed.bodies, spare_[m.index]);
+    bed.contacts.find(b, m.budget.inner, bed.bodies, spare_[m.index]);
   bed.team.barrier();
   if (m.index == 0) bed.contacts.link();
   bed.team.barrier();
-  m.budget = bed.contacts.fullBudget();
   return true;
 }
 

@@ -9,12 +9,13 @@
 
 namespace bedmix {
 
-/// Second order. The dashpots see the velocity predicted to the end of the step, v + a dt, the tangential
-/// springs grow by the trapezoidal rule. The end of a step and the beginning of the next are one pass over
-/// memory.
-class VelocityVerlet {
+/// Velocity Verlet, whose dashpots see the velocity predicted to the end of the step, v + a dt, with the
+/// force of the instant or, of second order also where contacts begin and end, of the step around it; and
+/// symplectic Euler, of first order. Tangential springs grow by the trapezoidal rule. The end of a step and
+/// the beginning of the next are one pass over memory.
+class Verlet {
  public:
-  VelocityVerlet(const Scene& scene, const BedState& bed);
+  Verlet(const Scene& scene, const BedState& bed);
 
   void begin(BedState& bed);
   void goOn(BedState&) {}  // keeps nothing from step to step
@@ -44,11 +45,13 @@ class VelocityVerlet {
   Member start(const BedState& bed, int index) const;
   void walk(BedState& bed, Member& m, std::int64_t steps, double maxOverlap);
   bool keepLists(BedState& bed, Member& m);
-  bool rebuild(BedState& bed, Member& m);
+  bool rebuild(BedState& bed, Member& m, double way);
   double finish(BedState& bed, std::size_t b, Member& m, const MotionKernel& kernel, bool last);
   MotionKernel motion(BedState& bed) const;
 
   ContactForces contacts_;
+  double late_;        // of a step's forces on velocities, the part after the positions
+  double reachAhead_;  // of what the fastest goes in a step: gap of those that may push each other
   std::vector<ContactSlots> spare_;  // of each member
   // Of each block; written after the members' second meeting in a step, read after the first.
   std::vector<double> fastest2_;  // (m/s)2

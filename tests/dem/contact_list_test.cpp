@@ -39,7 +39,8 @@ BedState listed(const Scene& scene, const std::vector<Vec2>& cloud,
   BedState bed(scene, makeParticles(scene, cloud), walls, oneThread());
   ContactSlots spare;
   EXPECT_TRUE(bed.sort());
-  for (std::size_t b = 0; b < bed.contacts.blocks(); ++b) bed.contacts.find(b, bed.bodies, spare);
+  for (std::size_t b = 0; b < bed.contacts.blocks(); ++b)
+    bed.contacts.find(b, bed.contacts.innerSkin(0.0), bed.bodies, spare);
   bed.contacts.link();
   return bed;
 }
@@ -79,7 +80,7 @@ TEST(ContactList, CandidatesAreAllPairsWithinTheSkin) {
     const double size = draw < 190 ? 0.1 : 0.3;
     const std::vector<Vec2> cloud = randomCloud(rng, count, rng.uniform(1e-3, size), rng.uniform(1e-3, size));
     const BedState bed = listed(roughSpheres(), cloud);
-    const double reach = diameter + bed.contacts.fullBudget().outer;
+    const double reach = diameter + bed.contacts.fullBudget(0.0).outer;
     if (count == 4000) {
       EXPECT_GT(bed.contacts.blocks(), 2u);
     }
@@ -91,7 +92,7 @@ TEST(ContactList, NearOnesAreThoseWithinTheInnerSkinInAscendingOrder) {
   Rng rng(8);
   const std::vector<Vec2> cloud = randomCloud(rng, 2500, 0.2, 0.1);
   const BedState bed = listed(roughSpheres(), cloud);
-  const double reach = diameter + bed.contacts.fullBudget().inner;
+  const double reach = diameter + bed.contacts.fullBudget(0.0).inner;
   Pairs near;
   for (std::size_t b = 0; b < bed.contacts.blocks(); ++b) {
     const ContactSlots& s = bed.contacts.block(b).near;
@@ -113,7 +114,7 @@ TEST(ContactList, WallsWithinReachAreListed) {
   Rng rng(3);
   const std::vector<Vec2> cloud = randomCloud(rng, 300, 0.05, 0.05);
   const BedState bed = listed(roughSpheres(), cloud, closedBox(0.05, 0.05));
-  const double reach = diameter / 2.0 + bed.contacts.fullBudget().outer;
+  const double reach = diameter / 2.0 + bed.contacts.fullBudget(0.0).outer;
   Pairs expected, found;
   for (int i = 0; i < 300; ++i) {
     const double x = cloud[i].x, y = cloud[i].y, above = std::max(y - 0.05, 0.0);
@@ -129,7 +130,7 @@ TEST(ContactList, WallsWithinReachAreListed) {
 
 TEST(ContactList, TwoMayEachMoveByHalfTheSkin) {
   const BedState bed = listed(roughSpheres(), {{0.0, 0.0}, {1.0, 0.0}});
-  SkinBudget budget = bed.contacts.fullBudget();
+  SkinBudget budget = bed.contacts.fullBudget(0.0);
   EXPECT_GT(budget.outer, budget.inner);
   const double half = 0.5 * budget.outer;
   budget.spend(0.9 * half);
@@ -193,9 +194,11 @@ TEST(ContactList, ANewListAndANewChoiceKeepEveryHistory) {
     for (Body& body : bed.bodies) body.position += {0.0003, 0.0};
     if (round % 2 == 0) bed.bodies[0].position += {-0.0011, 0.0};
     ASSERT_TRUE(bed.sort());
-    for (std::size_t b = 0; b < bed.contacts.blocks(); ++b) bed.contacts.find(b, bed.bodies, spare);
+    for (std::size_t b = 0; b < bed.contacts.blocks(); ++b)
+      bed.contacts.find(b, bed.contacts.innerSkin(0.0), bed.bodies, spare);
     bed.contacts.link();
-    for (std::size_t b = 0; b < bed.contacts.blocks(); ++b) bed.contacts.refresh(b, bed.bodies, spare);
+    for (std::size_t b = 0; b < bed.contacts.blocks(); ++b)
+      bed.contacts.refresh(b, bed.contacts.innerSkin(0.0), bed.bodies, spare);
     const auto after = contactsOf(bed);
     std::size_t same = 0;
     for (const auto& contact : after) same += std::binary_search(before.begin(), before.end(), contact);
@@ -210,7 +213,7 @@ TEST(ContactList, WanderingPointsNeverTouchUnlisted) {
   Rng rng(11);
   BedState bed = listed(smoothSpheres(), randomCloud(rng, 60, 0.03, 0.03));
   ContactSlots spare;
-  SkinBudget budget = bed.contacts.fullBudget();
+  SkinBudget budget = bed.contacts.fullBudget(0.0);
   constexpr int steps = 5000;
   int choices = 0;
   for (int step = 0; step < steps; ++step) {
@@ -222,14 +225,14 @@ TEST(ContactList, WanderingPointsNeverTouchUnlisted) {
       budget.outer = bed.contacts.remainder(bed.contacts.displacements({0, 60}, bed.bodies));
       if (budget.outer < 0.0) {
         ASSERT_TRUE(bed.sort());
-        bed.contacts.find(0, bed.bodies, spare);
+        bed.contacts.find(0, bed.contacts.innerSkin(0.0), bed.bodies, spare);
         bed.contacts.link();
-        budget = bed.contacts.fullBudget();
+        budget = bed.contacts.fullBudget(0.0);
       }
     }
     if (budget.inner < 0.0) {
-      bed.contacts.refresh(0, bed.bodies, spare);
-      budget.inner = bed.contacts.fullBudget().inner;
+      bed.contacts.refresh(0, bed.contacts.innerSkin(0.0), bed.bodies, spare);
+      budget.inner = bed.contacts.fullBudget(0.0).inner;
       ++choices;
     }
     std::vector<Vec2> byId(60);
