@@ -5,15 +5,19 @@
 #include "engine/core/hash.h"
 #include "engine/core/walls.h"
 #include "engine/coupling/exchange.h"
+#include "engine/coupling/gas_step.h"
 #include "engine/coupling/voidage.h"
 #include "engine/dem/packing.h"
 #include "engine/dem/particle_solver.h"
+#include "engine/dem/particle_step.h"
 #include "engine/gas/gas_solver.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <chrono>
+#include <numeric>
 
 namespace bedmix {
 
@@ -46,11 +50,22 @@ struct CoupledGas {
   GasSolver solver;
   VoidageField voidage;
   Exchange exchange;
+  std::optional<GasStep> chosenStep;  // where the scene gives none
 
   CoupledGas(const Scene& scene, Particles& particles, ThreadTeam& team)
       : solver(scene, team), voidage(scene, solver.grid(), team), exchange(scene, solver, voidage, team) {
+    if (scene.gas->step.isAutomatic()) chosenStep.emplace(scene, solver);
     particles.addExternalForces();
     voidage.update(particles.position);
+  }
+
+  void setStep(double seconds) {
+    if (!chosenStep) return;
+    solver.setStep(seconds);
+    exchange.setStep(seconds);
+  }
+  void start(double step) {
+    setStep(step);
     solver.startWith(voidage.voidage());
   }
 };
@@ -84,6 +99,24 @@ int threadsFor(std::int64_t particles, int cores) {
   return static_cast<int>(std::clamp<std::int64_t>(particles / perThread, 1, std::max(1, cores)));
 }
 
+/// The largest divisor of `whole` that is at most `most` and a multiple of `part`, whose other factors are
+/// primes[first] and above; `part` where there is none.
+std::int64_t largestDivisor(std::int64_t whole, double most, std::int64_t part = 1, std::size_t first = 0) {
+  constexpr std::array<std::int64_t, 4> primes{2, 3, 5, 7};
+  std::int64_t largest = part;
+  for (std::size_t p = first; p < primes.size(); ++p)
+    if (const std::int64_t next = part * primes[p]; static_cast<double>(next) <= most && whole % next == 0)
+      largest = std::max(largest, largestDivisor(whole, most, next, p));
+  return largest;
+}
+
+/// Ticks, one at least, that fit into `seconds` and divide both a frame and what of it has passed by tick
+/// `at`, so that equal ones fill it.
+std::int64_t ticksWithin(double seconds, const Scene& scene, std::int64_t at) {
+  const double most = seconds / tick(scene) * (1.0 + 1e-9);
+  return largestDivisor(std::gcd(stepsPerFrame(scene), at), most);
+}
+
 struct Simulation::State {
   Scene scene;
   std::unique_ptr<ThreadTeam> team;
@@ -91,14 +124,24 @@ struct Simulation::State {
   std::unique_ptr<CoupledGas> gas;
   std::vector<std::uint8_t> species;
   std::vector<std::int32_t> id;
-  std::int64_t step = 0, gasSteps = 0;
+  std::optional<ParticleStep> chosenStep;  // where the scene gives none
+  std::int64_t step = 0, particleSteps = 0, gasSteps = 0;
+  std::int64_t stretch = 0;     // ticks from one gas step, or choice of steps, to the next
+  std::int64_t stretchEnd = 0;  // step of the next
   StageSeconds seconds{};
   StepReport report;
 
+  std::int64_t nextStretch() const;
   std::optional<std::string> gasStep();
-  std::optional<std::string> particleSteps(std::int64_t n);
+  std::optional<std::string> advanceParticles(std::int64_t ticks);
   bool load(StateReader& in);
 };
+
+// Gas steps fall on whole multiples of their length, wherever a call begins.
+std::int64_t Simulation::State::nextStretch() const {
+  if (!gas) return chosenStep ? ticksWithin(contactTimeScale(scene), scene, step) : stepsPerFrame(scene);
+  return gas->chosenStep ? ticksWithin(gas->chosenStep->longest(), scene, step) : stepsPerGasStep(scene);
+}
 
 std::optional<std::string> Simulation::State::gasStep() {
   Particles& particles = solver->particles();
@@ -118,6 +161,10 @@ std::optional<std::string> Simulation::State::gasStep() {
         voidageFloor);
   }
 
+  const std::int64_t before = stretch;
+  stretch = nextStretch();
+  const double length = static_cast<double>(stretch) * tick(scene);
+  gas->setStep(length);
   gas->exchange.evaluateDrag(particles, gas->solver.exchange());
   clock.lap(Stage::drag);
   const GasStepReport r = gas->solver.advance(gas->voidage.voidage());
@@ -135,19 +182,24 @@ std::optional<std::string> Simulation::State::gasStep() {
         "could not be solved; use a smaller gas.step",
         r.massResidual, timeOfStep(scene, step), worstMassResidual);
 
+  if (gas->chosenStep)
+    gas->chosenStep->observe(gas->solver, r, length, static_cast<double>(before) * tick(scene));
   gas->exchange.applyForces(particles);
   clock.lap(Stage::drag);
   return std::nullopt;
 }
 
-std::optional<std::string> Simulation::State::particleSteps(std::int64_t n) {
+std::optional<std::string> Simulation::State::advanceParticles(std::int64_t ticks) {
   const DemSeconds before = solver->seconds();
+  const double span = static_cast<double>(ticks) * tick(scene);
+  const std::int64_t n = chosenStep ? chosenStep->divide(span, *solver) : ticks;
   const std::optional<DemTrouble> trouble = solver->advance(n);
   const DemSeconds& after = solver->seconds();
   seconds[static_cast<std::size_t>(Stage::neighbours)] += after.neighbours - before.neighbours;
   seconds[static_cast<std::size_t>(Stage::contacts)] += after.contacts - before.contacts;
   seconds[static_cast<std::size_t>(Stage::integrate)] += after.integrate - before.integrate;
-  step += trouble ? trouble->steps : n;
+  particleSteps += trouble ? trouble->steps : n;
+  step += trouble ? trouble->steps * ticks / n : ticks;
   report.largestOverlap = solver->largestOverlap();
   report.largestOverlapParticle = solver->largestOverlapParticle();
   if (const auto fastest = solver->fastest(); fastest.speed > report.largestSpeed) {
@@ -191,14 +243,20 @@ Simulation::Simulation(const Scene& scene, Particles start, std::unique_ptr<Thre
   std::vector<Vec2f> position;
   for (const Vec2 at : start.position) position.push_back(toFloat(at));
   s.solver = ParticleSolver::make(scene, std::move(start), bedWalls(scene), *s.team);
+  if (scene.time.step.isAutomatic()) s.chosenStep.emplace(scene);
   if (scene.gas) s.gas = std::make_unique<CoupledGas>(scene, s.solver->particles(), *s.team);
+  s.stretch = s.stretchEnd = s.nextStretch();
+  if (s.gas) s.gas->start(static_cast<double>(s.stretch) * tick(scene));
   s.species = tagTracer(scene.tracer.rule, position, scene.bed.width);
 }
 
 void Simulation::save(StateWriter& out) const {
   const State& s = *state_;
   out.put(s.step);
+  out.put(s.particleSteps);
   out.put(s.gasSteps);
+  out.put(s.stretch);
+  out.put(s.stretchEnd);
   out.put(s.seconds);
   out.put(s.report.largestOverlap);
   out.put(s.report.largestOverlapParticle);
@@ -212,16 +270,24 @@ void Simulation::save(StateWriter& out) const {
   out.putAll(s.species);
   out.putAll(s.id);
   s.solver->save(out);
-  if (s.gas) s.gas->solver.save(out);
+  if (!s.gas) return;
+  s.gas->solver.save(out);
+  if (s.gas->chosenStep) s.gas->chosenStep->save(out);
 }
 
 bool Simulation::State::load(StateReader& in) {
-  return in.get(step) && step >= 0 && in.get(gasSteps) && in.get(seconds) && in.get(report.largestOverlap) &&
-         in.get(report.largestOverlapParticle) && in.get(report.gasStepsNotConverged) &&
-         in.get(report.largestMassResidual) && in.get(report.largestCourant) &&
-         in.get(report.lowestVoidage) && in.get(report.aboveGridLargest) && in.get(report.largestSpeed) &&
-         in.get(report.largestSpeedParticle) && in.getAll(species) && in.getAll(id) && solver->load(in) &&
-         (!gas || gas->solver.load(in));
+  const auto getCount = [&in](auto& count) {
+    constexpr std::int64_t most = std::int64_t{1} << 53;  // no run counts that far
+    return in.get(count) && count >= 0 && count < most;
+  };
+  return getCount(step) && getCount(particleSteps) && getCount(gasSteps) && getCount(stretch) &&
+         getCount(stretchEnd) && stretchEnd > step && stretchEnd - step <= stretch && in.get(seconds) &&
+         in.get(report.largestOverlap) && in.get(report.largestOverlapParticle) &&
+         getCount(report.gasStepsNotConverged) && in.get(report.largestMassResidual) &&
+         in.get(report.largestCourant) && in.get(report.lowestVoidage) && in.get(report.aboveGridLargest) &&
+         in.get(report.largestSpeed) && in.get(report.largestSpeedParticle) && in.getAll(species) &&
+         in.getAll(id) && solver->load(in) &&
+         (!gas || (gas->solver.load(in) && (!gas->chosenStep || gas->chosenStep->load(in))));
 }
 
 std::optional<Simulation> Simulation::make(const Scene& scene, StateReader& in, int threads) {
@@ -237,14 +303,17 @@ Simulation& Simulation::operator=(Simulation&&) noexcept = default;
 
 std::optional<std::string> Simulation::advance(std::int64_t steps) {
   State& s = *state_;
-  const std::int64_t every = s.gas ? stepsPerGasStep(s.scene) : steps;
   for (std::int64_t left = steps; left > 0;) {
-    // Gas steps fall on whole multiples of their length, wherever a call begins.
-    const std::int64_t chunk = std::min(left, every - (s.gas ? s.step % every : 0));
-    if (auto trouble = s.particleSteps(chunk)) return trouble;
+    const std::int64_t chunk = std::min(left, s.stretchEnd - s.step);
+    if (auto trouble = s.advanceParticles(chunk)) return trouble;
     left -= chunk;
-    if (s.gas && s.step % every == 0)
+    if (s.step < s.stretchEnd) return std::nullopt;
+    if (s.gas) {
       if (auto trouble = s.gasStep()) return trouble;
+    } else {
+      s.stretch = s.nextStretch();
+    }
+    s.stretchEnd = s.step + s.stretch;
   }
   return std::nullopt;
 }
@@ -256,6 +325,7 @@ void Simulation::setInlets(const std::vector<Inlet>& inlets) {
 }
 
 std::int64_t Simulation::step() const { return state_->step; }
+std::int64_t Simulation::particleSteps() const { return state_->particleSteps; }
 double Simulation::time() const { return timeOfStep(state_->scene, state_->step); }
 std::int64_t Simulation::gasSteps() const { return state_->gasSteps; }
 std::int64_t Simulation::contacts() const { return state_->solver->contactCount(); }
