@@ -25,7 +25,7 @@ struct Header {
   double wallSeconds = 0.0;
 
   /// To be raised whenever a save() of the engine changes, or a result.
-  static constexpr std::uint64_t currentVersion = 1;
+  static constexpr std::uint64_t currentVersion = 2;
 };
 
 std::uint64_t checksum(std::span<const std::byte> bytes) {

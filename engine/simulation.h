@@ -59,16 +59,19 @@ class Simulation {
   Simulation(Simulation&&) noexcept;
   Simulation& operator=(Simulation&&) noexcept;
 
-  /// Takes `steps` particle steps. Empty when the solution is valid; else what went wrong (which particle,
-  /// which stage, what time, what to do), and the simulation must not be advanced further.
+  /// Advances by `steps` ticks, which are particle steps where the scene gives their length. Automatic steps
+  /// are cut where a call ends, so that they depend on it unless it ends with a frame or a gas step. Empty
+  /// when the solution is valid; else what went wrong (which particle, which stage, what time, what to do),
+  /// and the simulation must not be advanced further.
   [[nodiscard]] std::optional<std::string> advance(std::int64_t steps);
 
   /// Changes what the gas enters through, from the next gas step on. The scene must have gas and the inlets
   /// must fit its floor.
   void setInlets(const std::vector<Inlet>& inlets);
 
-  std::int64_t step() const;
+  std::int64_t step() const;  // in ticks
   double time() const;
+  std::int64_t particleSteps() const;
   std::int64_t gasSteps() const;
   FramePtr frame() const;
   /// Of the whole double state, in the order of the ids.

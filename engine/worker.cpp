@@ -139,7 +139,7 @@ struct Worker::State {
     if (outcome.reason != EndReason::invalid && simulation.step() < last) outcome.reason = EndReason::stopped;
     outcome.wallSeconds = wallSeconds();
     outcome.simulatedSeconds = simulation.time();
-    outcome.steps = simulation.step();
+    outcome.steps = simulation.particleSteps();
     outcome.gasSteps = simulation.gasSteps();
     outcome.stages = simulation.stageSeconds();
     outcome.report = simulation.report();

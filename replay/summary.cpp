@@ -42,6 +42,13 @@ struct JsonVisitor {
     else
       at = value;
   }
+  void operator()(const Key& key, StepLength& value) {
+    Json& at = into[std::string(key.name)];
+    if (value.isAutomatic())
+      at = automaticStep;
+    else
+      at = static_cast<double>(value);
+  }
   template <class T>
   void operator()(const Key& key, std::optional<T>& value) {
     if (value) (*this)(key, *value);

@@ -33,6 +33,9 @@ enum class Arrangement { settled, drop };
 /// Which particles carry the tracer colour.
 enum class TracerRule { leftHalf, rightHalf, lowerHalf, upperHalf };
 
+/// How much a run may err and cost; see presets.h for what each stands for.
+enum class Accuracy { draft, standard, paper, reference };
+
 /// The one visible table of each family, in the order of its enumeration; the first entry is the default.
 template <class E>
 inline constexpr std::array<ModelInfo, 0> modelTable{};
@@ -99,6 +102,14 @@ inline constexpr std::array modelTable<TracerRule>{
     ModelInfo{"right-half", "x >= width/2 at the start", ""},
     ModelInfo{"lower-half", "the half of the particles that lies lowest at the start", ""},
     ModelInfo{"upper-half", "the half of the particles that lies highest at the start", ""},
+};
+template <>
+inline constexpr std::array modelTable<Accuracy>{
+    ModelInfo{"draft", "the longest steps that hold: for a first look", ""},
+    ModelInfo{"standard", "steps chosen by error targets, below what seeds differ by", ""},
+    ModelInfo{"paper", "the numerics of the paper: rk4, 1e-5 s, SIMPLE every 1e-4 s",
+              "Tian et al. (2007), Fuel Process. Technol. 88:187"},
+    ModelInfo{"reference", "steps chosen by error targets that leave no trace of them", ""},
 };
 
 template <class E>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "engine/core/scene.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -53,17 +54,36 @@ double floorHeight(const Scene& scene, double x) {
   return x * std::tan(scene.floor.inclinationDeg * pi / 180.0);
 }
 
-std::int64_t stepsPerFrame(const Scene& scene) {
-  return std::llround(scene.sampling.interval / scene.time.step);
+double longestStep(const Scene& scene) { return contactTimeScale(scene) / 14.0; }
+
+double packedRelaxation(const Scene& scene) {
+  const ParticleSettings& p = scene.particles;
+  return packedVoidage * p.density * p.diameter * p.diameter /
+         (150.0 * (1.0 - packedVoidage) * scene.gas->viscosity);
 }
-std::int64_t stepsPerGasStep(const Scene& scene) { return std::llround(scene.gas->step / scene.time.step); }
-std::int64_t totalSteps(const Scene& scene) { return std::llround(scene.time.duration / scene.time.step); }
+
+double longestGasStep(const Scene& scene) {
+  return 2.0 * packedVoidage * packedVoidage * packedRelaxation(scene);
+}
+
+double tick(const Scene& scene) {
+  if (!scene.time.step.isAutomatic()) return scene.time.step;
+  if (scene.gas && !scene.gas->step.isAutomatic()) return scene.gas->step;
+  constexpr double parts = 5040.0;  // 2^4 3^2 5 7
+  const double coarse = scene.sampling.interval / parts;
+  const double halvings = std::ceil(std::log2(coarse / (contactTimeScale(scene) / 100.0)));
+  return coarse * std::exp2(-std::max(0.0, halvings));
+}
+
+std::int64_t stepsPerFrame(const Scene& scene) { return std::llround(scene.sampling.interval / tick(scene)); }
+std::int64_t stepsPerGasStep(const Scene& scene) { return std::llround(scene.gas->step / tick(scene)); }
+std::int64_t totalSteps(const Scene& scene) { return std::llround(scene.time.duration / tick(scene)); }
 
 double timeOfStep(const Scene& scene, std::int64_t step) {
-  const double rate = 1.0 / scene.time.step;
+  const double length = tick(scene), rate = 1.0 / length;
   const double whole = std::round(rate);
   const bool isWhole = std::abs(rate - whole) < 1e-9 * rate;
-  return isWhole ? static_cast<double>(step) / whole : static_cast<double>(step) * scene.time.step;
+  return isWhole ? static_cast<double>(step) / whole : static_cast<double>(step) * length;
 }
 
 }  // namespace bedmix

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "engine/core/models.h"
+#include "engine/core/step_length.h"
 
 #include <cstdint>
 #include <optional>
@@ -47,8 +48,9 @@ struct ContactSettings {
 
 struct TimeSettings {
   double duration = 10.0;  // s
-  double step = 1e-5;      // s, of the particles
+  StepLength step = 1e-5;  // s, of the particles
   Integrator integrator = Integrator::velocityVerlet;
+  double error = 0.01;  // of an automatic step: of the speed after a contact, over sqrt(g d)
 };
 
 struct StartSettings {
@@ -81,7 +83,8 @@ struct GasGridSettings {
 struct GasSettings {
   double density = 1.205;      // kg/m3
   double viscosity = 1.82e-5;  // Pa s
-  double step = 1e-4;          // s, a multiple of the particles' step
+  StepLength step = 1e-4;      // s, a multiple of the particles' step
+  double error = 0.1;          // of an automatic step: change of the drag within it, relative
   GasScheme scheme = GasScheme::projection;
   TimeScheme timeScheme = TimeScheme::crankNicolson;
   DragLaw drag = DragLaw::ergunWenYu;
@@ -115,7 +118,8 @@ struct Scene {
   std::string name;  // of the file or the bundled scene, not a key
   std::string title;
   std::uint64_t seed = 1;
-  double gravity = 9.81;  // m/s2, downward
+  std::optional<Accuracy> accuracy;  // the preset that numerics come from where the scene does not give them
+  double gravity = 9.81;             // m/s2, downward
   BedSettings bed;
   FloorSettings floor;
   ParticleSettings particles;
@@ -150,12 +154,28 @@ double inletVelocity(const Scene& scene, const Inlet& inlet);
 /// Height of the straight distributor at x, m.
 double floorHeight(const Scene& scene, double x);
 
-/// Whole numbers of particle steps that make one frame, one gas step, the whole run; times that do not divide
-/// are refused by the scene reader.
+/// The longest step, s, at which contacts are resolved: T/14 (measured, see assets/docs/hard-cases.md).
+double longestStep(const Scene& scene);
+
+/// Voidage of a packed bed, where gas and particles hold each other closest.
+inline constexpr double packedVoidage = 0.4;
+/// Time, s, within which the particles of a packed bed follow the gas: by Ergun's viscous part.
+double packedRelaxation(const Scene& scene);
+/// The longest gas step, s, that holds. Together gas and particles keep their volume: particles of a packed
+/// bed that are faster by v slow the gas by (1-e)/e v, and feel by drag and pressure (1-e^2)/e^2 v of it one
+/// gas step later, in as far as they relax within the step. More than twice v would grow from step to step.
+double longestGasStep(const Scene& scene);
+
+/// The unit that steps, frames and checkpoints are counted in, s: the particles' step. An automatic one is
+/// counted in gas steps, or, where there are none of a given length, in equal parts of the sampling interval,
+/// each at most T/100 long and so many that most numbers of gas steps fit.
+double tick(const Scene& scene);
+/// Whole numbers of ticks that make one frame, one gas step of a given length, the whole run; times that do
+/// not divide are refused by the scene reader.
 std::int64_t stepsPerFrame(const Scene& scene);
 std::int64_t stepsPerGasStep(const Scene& scene);
 std::int64_t totalSteps(const Scene& scene);
-/// Time of a step, s. Divides by the step rate where that is whole, so that step 7000 of 1e-5 s is 0.07 and
+/// Time of a tick, s. Divides by the step rate where that is whole, so that step 7000 of 1e-5 s is 0.07 and
 /// not 0.07000000000000001.
 double timeOfStep(const Scene& scene, std::int64_t step);
 

@@ -74,7 +74,12 @@ void describe(ContactSettings& s, V& visit) {
 template <class V>
 void describe(TimeSettings& s, V& visit) {
   visit(Key{"duration", "s", positive, "simulated time", true}, s.duration);
-  visit(Key{"step", "s", positive, "time step of the particles"}, s.step);
+  visit(Key{"step", "s", positive, "time step of the particles, or chosen by error"}, s.step);
+  visit(Key{"error",
+            "sqrt(g d)",
+            {0.0, 1.0, true},
+            "what a chosen step may change the speed after a contact by; without gravity over its approach"},
+        s.error);
   visit(Key{"integrator", "", {}, "how particles are advanced"}, s.integrator);
 }
 
@@ -119,7 +124,10 @@ template <class V>
 void describe(GasSettings& s, V& visit) {
   visit(Key{"density", "kg/m3", positive, "density of the gas"}, s.density);
   visit(Key{"viscosity", "Pa s", positive, "dynamic viscosity of the gas"}, s.viscosity);
-  visit(Key{"step", "s", positive, "time step of the gas, a multiple of the particles'"}, s.step);
+  visit(Key{"step", "s", positive, "time step of the gas, a multiple of the particles', or chosen by error"},
+        s.step);
+  visit(Key{"error", "", {0.0, 1.0, true}, "what the drag may change by within a chosen step, relative"},
+        s.error);
   visit(Key{"scheme", "", {}, "pressure-velocity coupling"}, s.scheme);
   visit(Key{"time_scheme", "", {}, "time level of convection and diffusion"}, s.timeScheme);
   visit(Key{"drag", "", {}, "drag law"}, s.drag);
@@ -158,6 +166,13 @@ template <class V>
 void describe(Scene& s, V& visit) {
   visit(Key{"title", "", {}, "one line for people"}, s.title);
   visit(Key{"seed", "", {0.0, 9.2e18}, "of the random start"}, s.seed);
+  visit(
+      Key{"accuracy",
+          "",
+          {},
+          "where time.integrator, step and error, and gas.step, error, scheme and tolerance come from if not "
+          "given"},
+      s.accuracy);
   visit(Key{"gravity", "m/s2", notNegative, "acceleration, downward"}, s.gravity);
   visit(Key{"bed", "", {}, "the container", true}, s.bed);
   visit(Key{"floor", "", {}, "the distributor"}, s.floor);

@@ -21,6 +21,9 @@ class KeyCollector {
   void operator()(const Key& key, std::int64_t& v) { add(key, "whole number", wholeDefault(key, v)); }
   void operator()(const Key& key, std::uint64_t& v) { add(key, "whole number", wholeDefault(key, v)); }
   void operator()(const Key& key, std::string& v) { add(key, "text", tomlString(v)); }
+  void operator()(const Key& key, StepLength& v) {
+    add(key, fmt::format("number or \"{}\"", automaticStep), tomlNumber(v));
+  }
   void operator()(const Key& key, std::vector<GridSpan>&) { add(key, "list of [count, size]", ""); }
 
   void operator()(const Key& key, std::vector<Inlet>&) {
@@ -33,23 +36,29 @@ class KeyCollector {
     T value{};
     if constexpr (std::is_same_v<T, double>)
       add(key, "number", "");
+    else if constexpr (std::is_enum_v<T>)
+      add(key, names<T>(), "");
     else
       descend(key, "table", value);
   }
 
   template <class T>
   void operator()(const Key& key, T& value) {
-    if constexpr (std::is_enum_v<T>) {
-      std::string names;
-      for (const ModelInfo& m : modelTable<T>)
-        names += fmt::format("{}\"{}\"", names.empty() ? "" : ", ", m.name);
-      add(key, names, fmt::format("\"{}\"", modelName(value)));
-    } else {
+    if constexpr (std::is_enum_v<T>)
+      add(key, names<T>(), fmt::format("\"{}\"", modelName(value)));
+    else
       descend(key, "table", value);
-    }
   }
 
  private:
+  template <class T>
+  static std::string names() {
+    std::string list;
+    for (const ModelInfo& m : modelTable<T>)
+      list += fmt::format("{}\"{}\"", list.empty() ? "" : ", ", m.name);
+    return list;
+  }
+
   template <class T>
   static std::string wholeDefault(const Key& key, T value) {
     return key.required ? "" : fmt::format("{}", value);

@@ -70,7 +70,7 @@ class TableReader {
  private:
   template <class T>
   static std::string nameOf(const Key& key, const T&, const std::string& path) {
-    constexpr bool isTable = std::is_class_v<T> && !std::is_same_v<T, std::string>;
+    constexpr bool isTable = requires(T & table, TableReader & reader) { describe(table, reader); };
     return isTable ? fmt::format("the table [{}]", path) : fmt::format("the key \"{}\"", key.name);
   }
   static std::string nameOf(const Key& key, const std::vector<GridSpan>&, const std::string&) {
@@ -124,6 +124,17 @@ class TableReader {
     if (!node.is_number()) return wrongType(node, path, "a number");
     value = *node.value<double>();
     checkRange(key, node, path, value);
+  }
+
+  void read(const Key& key, const toml::node& node, const std::string& path, StepLength& value) {
+    if (const auto* text = node.as_string(); text && text->get() == automaticStep) {
+      value = StepLength::automatic();
+      return;
+    }
+    if (!node.is_number()) return wrongType(node, path, fmt::format("a number or \"{}\"", automaticStep));
+    double seconds = 0.0;
+    read(key, node, path, seconds);
+    value = seconds;
   }
 
   template <class T>
@@ -230,6 +241,7 @@ Result<Scene> readScene(std::string_view toml, const std::string& file,
 
   Problems problems(file, overrides);
   for (const Override& override : overrides) applyOverride(*root, override, problems);
+  applyPreset(*root, problems);
 
   Scene scene;
   scene.name = std::filesystem::path(file).stem().string();

@@ -16,9 +16,6 @@ using std::numbers::pi;
 /// Relative difference below which two lengths or times given in decimals count as equal.
 constexpr double rounding = 1e-9;
 
-/// Voidage of a packed bed, where gas and particles hold each other closest.
-constexpr double packed = 0.4;
-
 /// Whole numbers up to here are exact in a double.
 constexpr double mostSteps = 1e15;
 
@@ -105,24 +102,45 @@ class Rules {
 
   void time() {
     const TimeSettings& t = scene_.time;
-    const double scale = contactTimeScale(scene_);
-    if (t.step * 14.0 > scale * (1.0 + rounding))
+    if (t.step.isAutomatic()) return chosenStep();
+    const double scale = contactTimeScale(scene_), step = t.step;
+    if (step > longestStep(scene_) * (1.0 + rounding))
       add("time.step", {"contacts.stiffness", "particles.diameter", "particles.density"},
           fmt::format("a step of {} s is T/{:.3g} of the contact time scale T = 2 pi sqrt(m/k) = {:.4g} s; "
                       "contacts are resolved from T/14 on, and a bed over-compacts at T/10. "
                       "Take at most {:.3g} s, or a softer spring",
-                      t.step, scale / t.step, scale, scale / 14.0));
-    wholeMultiple("time.duration", t.duration, "time.step", t.step);
-    wholeMultiple("sampling.interval", scene_.sampling.interval, "time.step", t.step);
-    if (scene_.gas) wholeMultiple("gas.step", scene_.gas->step, "time.step", t.step);
+                      step, scale / step, scale, longestStep(scene_)));
+    wholeMultiple("time.duration", t.duration, "time.step", step);
+    wholeMultiple("sampling.interval", scene_.sampling.interval, "time.step", step);
+    if (scene_.gas && !scene_.gas->step.isAutomatic())
+      wholeMultiple("gas.step", scene_.gas->step, "time.step", step);
+  }
+
+  // Steps are cut where a run ends and where a gas step does; on its way a run that is to be gone on with
+  // must not be cut elsewhere.
+  void chosenStep() {
+    const double interval = scene_.sampling.interval;
+    if (!scene_.gas || scene_.gas->step.isAutomatic()) {
+      if (areCountable("time.duration", scene_.time.duration, "sampling.interval", tick(scene_)))
+        wholeMultiple("time.duration", scene_.time.duration, "sampling.interval", interval);
+    } else {
+      wholeMultiple("time.duration", scene_.time.duration, "gas.step", scene_.gas->step);
+      wholeMultiple("sampling.interval", interval, "gas.step", scene_.gas->step);
+    }
+  }
+
+  bool areCountable(const std::string& path, double value, const std::string& ofPath, double step) {
+    const double steps = value / step;
+    if (steps <= mostSteps) return true;
+    add(path, {ofPath},
+        fmt::format("{} = {} s takes {:.3g} steps of {} s; at most {:g} can be counted", path, value, steps,
+                    step, mostSteps));
+    return false;
   }
 
   void wholeMultiple(const std::string& path, double value, const std::string& ofPath, double of) {
+    if (!areCountable(path, value, ofPath, of)) return;
     const double ratio = value / of;
-    if (ratio > mostSteps)
-      return add(path, {ofPath},
-                 fmt::format("{} = {} s takes {:.3g} steps of {} s; at most {:g} can be counted", path, value,
-                             ratio, of, mostSteps));
     const double whole = std::max(1.0, std::round(ratio));
     if (std::abs(ratio - whole) <= rounding * whole) return;
     add(path, {ofPath},
@@ -138,24 +156,20 @@ class Rules {
     for (std::size_t i = 0; i < gas.inlets.size(); ++i) inlet(gas, i);
   }
 
-  // Together gas and particles keep their volume: particles of a packed bed that are faster by v slow the gas
-  // by (1-e)/e v, and feel by drag and pressure (1-e^2)/e^2 v of it one gas step later, in as far as they
-  // relax within the step. And stopping that gas takes a pressure that changes their own velocity by
-  // (1-e)/e v times the densities' ratio. Neither may be more than twice v, or it grows from step to step.
+  // See longestGasStep(). Stopping the gas takes a pressure, too, that changes the particles' own velocity by
+  // (1-e)/e v times the densities' ratio; that may not be more than twice v either.
   void exchange(const GasSettings& gas) {
     const ParticleSettings& p = scene_.particles;
     if (p.count == 0) return;
-    const double relaxation =  // s; Ergun's viscous part
-        packed * p.density * p.diameter * p.diameter / (150.0 * (1.0 - packed) * gas.viscosity);
-    const double longest = 2.0 * packed * packed * relaxation;
-    if (gas.step > longest * (1.0 + rounding))
+    const double relaxation = packedRelaxation(scene_), longest = longestGasStep(scene_);
+    if (!gas.step.isAutomatic() && gas.step > longest * (1.0 + rounding))
       add("gas.step", {"particles.diameter", "particles.density", "gas.viscosity"},
           fmt::format(
               "a gas step of {} s is too long for particles that in a packed bed follow the gas within "
               "{:.3g} s: "
               "gas and particles would overshoot each other more with every step. Take at most {:.3g} s",
-              gas.step, relaxation, longest));
-    const double lightest = gas.density * (1.0 - packed) / (2.0 * packed);
+              static_cast<double>(gas.step), relaxation, longest));
+    const double lightest = gas.density * (1.0 - packedVoidage) / (2.0 * packedVoidage);
     if (p.density < lightest * (1.0 - rounding))
       add("particles.density", {"gas.density"},
           fmt::format(

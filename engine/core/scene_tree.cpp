@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "engine/core/scene_tree.h"
 
+#include "engine/core/presets.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -62,6 +64,10 @@ void Problems::add(const Override& override, std::string message) {
   list_.push_back({placeOf(override), std::move(message)});
 }
 
+void Problems::derive(std::string path, std::string source, const toml::source_region& at) {
+  derived_.insert_or_assign(std::move(path), Origin{std::move(source), at});
+}
+
 void Problems::spoil(std::string path) { spoiled_.insert(std::move(path)); }
 
 bool Problems::isSpoiled(std::string_view path) const {
@@ -78,6 +84,8 @@ std::vector<Diagnostic> Problems::inFileOrder() {
 }
 
 SourceLocation Problems::locate(std::string_view path, const toml::source_region& at) const {
+  if (const auto from = derived_.find(path); from != derived_.end())
+    return locate(from->second.path, from->second.at);
   for (const Override& o : overrides_)
     if (isAtOrBelow(path, o.path)) return placeOf(o);
   const std::string_view table = path.substr(0, path.rfind('.'));
@@ -134,6 +142,20 @@ void applyOverride(toml::table& root, const Override& override, Problems& proble
     problems.add(override,
                  fmt::format("\"{}\" is not a TOML value; write e.g. 1.5, true, \"text\" or [[8, 0.012]]",
                              override.value));
+}
+
+void applyPreset(toml::table& root, Problems& problems) {
+  const toml::node* const chosen = root.get("accuracy");
+  const auto* const name = chosen ? chosen->as_string() : nullptr;
+  const auto accuracy = name ? findModel<Accuracy>(name->get()) : std::nullopt;
+  if (!accuracy) return;  // what is there instead is refused as it is read
+  for (const PresetKey& key : presetOf(*accuracy)) {
+    const std::size_t dot = key.path.find('.');
+    const toml::table* const table = root[key.path.substr(0, dot)].as_table();
+    if (!table || table->contains(key.path.substr(dot + 1))) continue;
+    applyOverride(root, {std::string(key.path), std::string(key.value)}, problems);
+    problems.derive(std::string(key.path), "accuracy", chosen->source());
+  }
 }
 
 toml::source_region sourceOf(const toml::table& root, std::string_view path) {

@@ -6,6 +6,8 @@
 
 #include <toml++/toml.h>
 
+#include <functional>
+#include <map>
 #include <set>
 #include <string>
 #include <string_view>
@@ -28,6 +30,8 @@ class Problems {
   void add(const Override& override, std::string message);
   /// Takes the value at `path` for wrong without a message of its own.
   void spoil(std::string path);
+  /// Locates problems with the value at `path` where the one at `source` is, which it comes from.
+  void derive(std::string path, std::string source, const toml::source_region& at);
   /// Whether the value at `path` is already known to be wrong.
   bool isSpoiled(std::string_view path) const;
 
@@ -41,6 +45,11 @@ class Problems {
   const std::vector<Override>& overrides_;
   std::vector<Diagnostic> list_;
   std::set<std::string> spoiled_;
+  struct Origin {
+    std::string path;
+    toml::source_region at;
+  };
+  std::map<std::string, Origin, std::less<>> derived_;
 };
 
 /// Parses the text. A syntax error ends it, as nothing behind one can be trusted.
@@ -48,6 +57,9 @@ Result<toml::table> parseToml(std::string_view text, const std::string& file);
 
 /// Sets, adds or removes the value an override names.
 void applyOverride(toml::table& root, const Override& override, Problems& problems);
+
+/// Adds the keys that the preset `accuracy` gives to the tables that are there and lack them.
+void applyPreset(toml::table& root, Problems& problems);
 
 /// Where the value at `path` stands, or the innermost table around it that is there.
 toml::source_region sourceOf(const toml::table& root, std::string_view path);

@@ -22,6 +22,9 @@ class TableWriter {
   void operator()(const Key& key, std::int64_t& v) { line(key, fmt::format("{}", v)); }
   void operator()(const Key& key, std::uint64_t& v) { line(key, fmt::format("{}", v)); }
   void operator()(const Key& key, std::string& v) { line(key, tomlString(v)); }
+  void operator()(const Key& key, StepLength& v) {
+    line(key, v.isAutomatic() ? tomlString(automaticStep) : tomlNumber(v));
+  }
 
   void operator()(const Key& key, std::vector<GridSpan>& spans) {
     std::string list;

@@ -28,7 +28,7 @@ Exchange::Exchange(const Scene& scene, const GasSolver& gas, const VoidageField&
       team_(team),
       law_(scene.gas->drag),
       properties_{scene.particles.diameter, scene.gas->density, scene.gas->viscosity},
-      step_(scene.gas->step),
+      step_(scene.gas->step.valueOr(longestGasStep(scene))),
       uprightVelocity_(grid_.points()),
       levelVelocity_(grid_.points()),
       pressure_(grid_.points()),

@@ -27,6 +27,8 @@ class Exchange {
   /// What is given by reference must outlive the exchange.
   Exchange(const Scene& scene, const GasSolver& gas, const VoidageField& voidage, ThreadTeam& team);
 
+  /// Length of the gas step that comes, s; the scene's until this is called.
+  void setStep(double seconds) { step_ = seconds; }
   /// Sets the particles' drag coefficients by the present gas velocity and a voidage that is up to date;
   /// fills the gas's exchange. The particles must have external forces.
   void evaluateDrag(Particles& particles, MomentumExchange& exchange);

@@ -27,7 +27,7 @@ BedState::BedState(const Scene& scene, Particles start, const std::vector<WallSe
       bodies(particles.size()),
       spinAhead(particles.spin.size()),
       gravity(scene.gravity),
-      step(scene.time.step),
+      step(scene.time.step.valueOr(longestStep(scene))),
       team(t) {
   placeBodies();
 }

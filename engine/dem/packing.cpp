@@ -3,6 +3,7 @@
 
 #include "engine/core/rng.h"
 #include "engine/dem/particle_solver.h"
+#include "engine/dem/particle_step.h"
 
 #include <fmt/format.h>
 
@@ -23,7 +24,7 @@ constexpr double restSpeed = 1e-3;   // m/s
 constexpr double restTime = 0.02;    // s
 constexpr double longestFall = 3.0;  // s
 constexpr double viscosity = 10.0;   // 1/s
-constexpr double glance = 1e-4;      // s, between looks at whether they rest
+constexpr double glance = 1e-4;      // s, between looks at whether they rest; T where steps are chosen
 
 /// Square sites side by side over the bed's width, from `bottom` up.
 struct Lattice {
@@ -82,13 +83,16 @@ std::vector<Vec2> scatter(const Scene& scene, const Lattice& lattice) {
 
 /// Lets the particles fall and come to rest.
 std::optional<DemTrouble> settle(const Scene& scene, ParticleSolver& solver) {
+  std::optional<ParticleStep> chosen;
+  if (scene.time.step.isAutomatic()) chosen.emplace(scene);
   Particles& p = solver.particles();
   p.addExternalForces();
   std::fill(p.drag.begin(), p.drag.end(), viscosity * p.mass);
-  const std::int64_t steps = std::max<std::int64_t>(1, std::llround(glance / scene.time.step));
-  const double interval = static_cast<double>(steps) * scene.time.step;
+  const std::int64_t given = chosen ? 0 : std::max<std::int64_t>(1, std::llround(glance / scene.time.step));
+  const double interval = chosen ? contactTimeScale(scene) : static_cast<double>(given) * scene.time.step;
   double atRest = 0.0;  // s
   for (double time = 0.0; time < longestFall && atRest < restTime; time += interval) {
+    const std::int64_t steps = chosen ? chosen->divide(interval, solver) : given;
     if (const auto trouble = solver.advance(steps)) return trouble;
     double fastest = 0.0;  // square
     for (const Vec2 v : p.velocity) fastest = std::max(fastest, dot(v, v));
@@ -121,7 +125,7 @@ Result<Particles> packBed(const Scene& scene, ThreadTeam& team) {
   if (scene.start.arrangement == Arrangement::drop || start.size() == 0) return start;
 
   Scene calm = scene;
-  calm.time.integrator = Integrator::velocityVerlet;
+  if (!scene.time.step.isAutomatic()) calm.time.integrator = Integrator::velocityVerlet;
   const auto solver = ParticleSolver::make(calm, std::move(start), bedWalls(scene), team);
   if (const auto trouble = settle(scene, *solver))
     return Diagnostic({},

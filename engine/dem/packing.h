@@ -12,8 +12,9 @@ namespace bedmix {
 /// `drop`: on randomly chosen sites of a lattice above the highest point of the floor, each shifted at random
 /// within its site, so that none touch. `settled`: dropped so and, without gas but with the scene's contacts
 /// and step, left to fall until the fastest is slower than 1 mm/s for 0.02 s on end, 3 s at most; with
-/// velocity Verlet, so that every integrator starts from the same bed. While they fall a viscous force
-/// -10 1/s m v slows them, which ends the wait sooner and keeps overlaps small; it vanishes at rest.
+/// velocity Verlet where that step is given, so that every integrator starts from the same bed. While they
+/// fall a viscous force -10 1/s m v slows them, which ends the wait sooner and keeps overlaps small; it
+/// vanishes at rest.
 ///
 /// The same seed gives the same bits. Fails where a lid leaves too little room, and where settling breaks the
 /// scene's overlap limit.

@@ -30,7 +30,8 @@ GasSolver::GasSolver(const Scene& scene, ThreadTeam& team)
       pressureSolver_(layout_, team.size()),
       team_(grid_.columns * grid_.rows < worthSharing || team.size() == 1 ? nullptr : &team),
       scheme_(scene.gas->scheme),
-      step_(scene.gas->step),
+      step_(scene.gas->step.valueOr(longestGasStep(scene))),
+      sinceLast_(step_),
       tolerance_(scene.gas->tolerance),
       maxIterations_(scene.gas->maxIterations),
       reduction_(grid_.rows) {
@@ -56,13 +57,20 @@ void GasSolver::setInletFlux(const std::vector<double>& superficial) {
   }
 }
 
+void GasSolver::setStep(double seconds) {
+  step_ = seconds;
+  momentum_.setStep(seconds);
+}
+
 void GasSolver::startWith(const std::vector<double>& voidage) {
+  sinceLast_ = step_;
   Member alone;
   takeVoidage(alone, voidage);
   publish(alone);
 }
 
 void GasSolver::save(StateWriter& out) const {
+  out.put(sinceLast_);
   out.putAll(grid_.inletFlux);
   out.putAll(fields_.velocity);
   out.putAll(pressure_);
@@ -72,9 +80,10 @@ void GasSolver::save(StateWriter& out) const {
 
 bool GasSolver::load(StateReader& in) {
   std::vector<double> inletFlux(grid_.inletFlux.size());
-  if (!(in.getAll(inletFlux) && in.getAll(fields_.velocity) && in.getAll(pressure_) && in.getAll(voidage_) &&
-        in.getAll(faceVoidage_)))
+  if (!(in.get(sinceLast_) && sinceLast_ > 0.0 && in.getAll(inletFlux) && in.getAll(fields_.velocity) &&
+        in.getAll(pressure_) && in.getAll(voidage_) && in.getAll(faceVoidage_)))
     return false;
+  setStep(sinceLast_);
   setInletFlux(inletFlux);
   Member alone;
   publish(alone);
@@ -82,16 +91,18 @@ bool GasSolver::load(StateReader& in) {
 }
 
 GasStepReport GasSolver::advance(const std::vector<double>& voidage) {
+  GasStepReport report;
   if (!team_) {
     Member alone;
-    return step(alone, voidage);
+    report = step(alone, voidage);
+  } else {
+    team_->run([&](int index) {
+      Member member(*team_, index);
+      const GasStepReport mine = step(member, voidage);
+      if (member.first()) report = mine;  // all have the same
+    });
   }
-  GasStepReport report;
-  team_->run([&](int index) {
-    Member member(*team_, index);
-    const GasStepReport mine = step(member, voidage);
-    if (member.first()) report = mine;  // all have the same
-  });
+  sinceLast_ = step_;
   return report;
 }
 
@@ -115,7 +126,7 @@ void GasSolver::takeVoidage(Member& member, const std::vector<double>& voidage) 
   const auto end = rows.end * static_cast<std::size_t>(layout_.stride);
   for (std::size_t c = begin; c < end; ++c) {
     const double now = voidage[layout_.voidageCell[c]];
-    growth_[c] = layout_.open[c] * (now - voidage_[c]) / step_;
+    growth_[c] = layout_.open[c] * (now - voidage_[c]) / sinceLast_;
     voidage_[c] = now;
   }
   member.wait();

@@ -44,7 +44,11 @@ class GasSolver {
   void setInletFlux(const std::vector<double>& superficial);
   /// Sets the voidage the gas starts with, so that the first step sees no jump.
   void startWith(const std::vector<double>& voidage);
-  /// One step to the time at which `voidage` holds, with the particles' exchange() at that time.
+  /// Length of the steps from the next one on, s; the scene's until this is called.
+  void setStep(double seconds);
+  /// One step to the time at which `voidage` holds, with the particles' exchange() at that time. Where steps
+  /// differ in length, voids have grown since the last one, but momentum is exchanged for as long as the
+  /// particles will then feel it, which is this one's: what one phase gives is what the other gets.
   GasStepReport advance(const std::vector<double>& voidage);
 
   /// What the next step starts from, what enters included.
@@ -76,7 +80,7 @@ class GasSolver {
   PressureSolver pressureSolver_;
   ThreadTeam* team_;  // null where the grid is too small to share
   GasScheme scheme_;
-  double step_, tolerance_;
+  double step_, sinceLast_, tolerance_;  // s, s, -
   std::int64_t maxIterations_;
   double inflow_ = 0.0;                                     // m3/s
   std::vector<double> faceVoidage_, conductance_, change_;  // per face

@@ -21,7 +21,7 @@ MomentumSystem::MomentumSystem(const Scene& scene, const FaceLayout& layout)
     : layout_(layout),
       density_(scene.gas->density),
       viscosity_(scene.gas->viscosity),
-      step_(scene.gas->step),
+      step_(scene.gas->step.valueOr(longestGasStep(scene))),
       theta_(scene.gas->timeScheme == TimeScheme::crankNicolson ? 0.5 : 1.0),
       gravity_(scene.gravity),
       spare_(static_cast<std::size_t>(layout.faces())),

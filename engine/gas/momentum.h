@@ -23,6 +23,7 @@ class MomentumSystem {
  public:
   MomentumSystem(const Scene& scene, const FaceLayout& layout);
 
+  void setStep(double seconds) { step_ = seconds; }
   /// Fixes the old time level.
   void beginStep(Member& member, const std::vector<double>& velocity, const std::vector<double>& voidage);
   /// Sets up the equations for the new level around the present estimate, whose fluxes convect. `velocity`

@@ -66,6 +66,21 @@ TEST(SceneNumbers, StepsAreWhole) {
   EXPECT_EQ(totalSteps(scene), 1000000);
 }
 
+TEST(SceneNumbers, TicksFillFramesWhereStepsAreChosen) {
+  Scene scene = paperScene();
+  scene.time.step = StepLength::automatic();
+  EXPECT_EQ(tick(scene), 1e-4);  // the gas's
+  EXPECT_EQ(stepsPerGasStep(scene), 1);
+  EXPECT_EQ(totalSteps(scene), 100000);
+  scene.gas->step = StepLength::automatic();
+  EXPECT_EQ(stepsPerFrame(scene), 5040);
+  EXPECT_EQ(timeOfStep(scene, 7 * 5040), 0.07);
+  scene.sampling.interval = 1.0;  // too long for ticks of a 5040th: they stay below T/100
+  EXPECT_EQ(stepsPerFrame(scene), 5040 * 32);
+  scene.time.step = 1e-5;
+  EXPECT_EQ(tick(scene), 1e-5);
+}
+
 TEST(SceneNumbers, TimesOfFramesAreShortDecimals) {
   Scene scene = paperScene();
   for (int frame = 0; frame <= 1000; ++frame) {

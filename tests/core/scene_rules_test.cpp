@@ -103,6 +103,25 @@ INSTANTIATE_TEST_SUITE_P(
                 },
                 "particles.density", "Give at least 1501 kg/m3"},
         Spoiled{"Endless", [](Scene& s) { s.time.duration = 1e12; }, "time.duration", "at most 1e+15"},
+        Spoiled{"CutShort",
+                [](Scene& s) {
+                  s.time.step = s.gas->step = StepLength::automatic();
+                  s.time.duration = 0.045;
+                },
+                "time.duration", "the nearest is 0.05 s"},
+        Spoiled{"GasStepBesideChosenSteps",
+                [](Scene& s) {
+                  s.time.step = StepLength::automatic();
+                  s.gas->step = 3e-4;
+                  s.time.duration = 0.06;
+                },
+                "sampling.interval", "steps of 0.0003 s"},
+        Spoiled{"EndlessChosenSteps",
+                [](Scene& s) {
+                  s.time.step = s.gas->step = StepLength::automatic();
+                  s.time.duration = 1e12;
+                },
+                "time.duration", "at most 1e+15"},
         Spoiled{"Columns", [](Scene& s) { s.gas->grid.columns[0].count = 5; }, "gas.grid.columns",
                 "add up to 0.06 m, but bed.width is 0.048 m"},
         Spoiled{"CellsSmallerThanParticles",
@@ -125,6 +144,14 @@ INSTANTIATE_TEST_SUITE_P(
         Spoiled{"HighWindow", [](Scene& s) { s.flux->to = 0.13; }, "flux.to", "above the bed's"},
         Spoiled{"Limits", [](Scene& s) { s.limits.warnOverlap = 0.2; }, "limits.warn_overlap", "above"}),
     [](const auto& spoiled) { return std::string(spoiled.param.name); });
+
+TEST(Rules, ChosenStepsFitAnyInterval) {
+  Scene scene = soundScene();
+  scene.time.step = scene.gas->step = StepLength::automatic();
+  scene.sampling.interval = 0.0123;
+  scene.time.duration = 0.123;
+  EXPECT_TRUE(contradictions(scene).empty());
+}
 
 TEST(Rules, SlowestAllowedStepIsAFourteenthOfTheTimeScale) {
   Scene scene = soundScene();

@@ -28,6 +28,12 @@ class BitDump {
 
  private:
   void put(double v) { out_ << std::hex << std::bit_cast<std::uint64_t>(v) << '\n'; }
+  void put(const StepLength& v) {
+    if (v.isAutomatic())
+      out_ << automaticStep << '\n';
+    else
+      put(static_cast<double>(v));
+  }
   void put(std::int64_t v) { out_ << v << '\n'; }
   void put(std::uint64_t v) { out_ << v << '\n'; }
   void put(const std::string& v) { out_ << v << '\n'; }
@@ -93,6 +99,8 @@ TEST(SceneWriter, AwkwardValuesRoundTrip) {
   scene.gas.emplace().minimumFluidizationVelocity = 5e-324;
   scene.gas->grid = {{{8, 0.012}}, {{15, 0.012}, {12, 0.02}}};
   scene.time.integrator = Integrator::rk4;
+  scene.time.step = scene.gas->step = StepLength::automatic();
+  scene.accuracy = Accuracy::draft;
   expectRoundTrip(scene);
 }
 
@@ -102,7 +110,8 @@ TEST(SceneWriter, WritesEveryDefaultAndNoAbsentEffect) {
   const std::string text = writeScene(scene);
   for (const SceneKey& key : sceneKeys()) {
     const bool absentEffect = key.path.starts_with("gas") || key.path.starts_with("flux") ||
-                              key.path.starts_with("contacts.friction") || key.path == "contacts.damping";
+                              key.path.starts_with("contacts.friction") || key.path == "contacts.damping" ||
+                              key.path == "accuracy";
     if (key.type == "table") {
       EXPECT_EQ(text.find('[' + key.path + "]\n") == std::string::npos, absentEffect) << key.path;
     } else if (!absentEffect) {

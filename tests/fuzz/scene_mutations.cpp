@@ -95,9 +95,10 @@ std::string likelyValue(const SceneKey& key, Rng& rng) {
     names.push_back(key.type.substr(at, end + 1 - at));
     at = end;
   }
-  if (!names.empty()) return oneOf(names, rng);
+  const bool isName = key.type.find("number") == std::string::npos || below(2, rng) == 0;
+  if (!names.empty() && isName) return oneOf(names, rng);
   if (key.type == "whole number") return std::to_string(below(100, rng));
-  if (key.type == "number")
+  if (key.type.starts_with("number"))
     return tomlNumber(rng.uniform() * std::pow(10.0, static_cast<double>(below(12, rng)) - 6.0));
   return anyValue(rng);
 }

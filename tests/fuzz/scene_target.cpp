@@ -23,7 +23,8 @@ std::int64_t cells(const std::vector<GridSpan>& spans) {
 bool makeSmall(Scene& scene) {
   constexpr std::int64_t particles = 60, gasCells = 1000, fallSteps = 2000;
   scene.particles.count = std::min(scene.particles.count, particles);
-  if (3.0 / scene.time.step > fallSteps) scene.start.arrangement = Arrangement::drop;
+  if (3.0 / scene.time.step.valueOr(longestStep(scene)) > fallSteps)
+    scene.start.arrangement = Arrangement::drop;
   if (scene.gas) {
     const std::int64_t columns = cells(scene.gas->grid.columns), rows = cells(scene.gas->grid.rows);
     if (columns > gasCells || rows > gasCells || columns * rows > gasCells) return false;
