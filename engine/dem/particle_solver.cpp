@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "engine/dem/particle_solver.h"
 
+#include "engine/dem/closing_speed.h"
 #include "engine/dem/runge_kutta.h"
 #include "engine/dem/verlet.h"
 
@@ -99,6 +100,10 @@ std::int64_t ParticleSolver::largestOverlapParticle() const {
     deepest = std::max(deepest, block.deepest);
   }
   return particle;
+}
+
+double ParticleSolver::closingSpeed(double span) {
+  return bedmix::closingSpeed(bed_, pairLaw_, wallLaw_, span);
 }
 
 std::int64_t ParticleSolver::contactCount() const {
