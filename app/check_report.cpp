@@ -4,6 +4,7 @@
 #include "engine/core/gas_grid.h"
 #include "engine/core/mixing.h"
 #include "engine/core/thread_team.h"
+#include "engine/dem/contact_error.h"
 #include "engine/simulation.h"
 
 #include <fmt/core.h>
@@ -18,6 +19,9 @@ namespace bedmix {
 
 namespace {
 
+constexpr double fewSteps = 10.0;   // of a contact, of a drag relaxation
+constexpr double muchMissed = 2.0;  // %, of a closing speed
+
 class Report {
  public:
   explicit Report(const Scene& scene) : scene_(scene) {}
@@ -25,6 +29,8 @@ class Report {
   std::vector<CheckRow> rows() {
     effects();
     timeScales();
+    particleStep();
+    if (scene_.gas) gasStep(*scene_.gas);
     if (scene_.gas) gas(*scene_.gas);
     sizes();
     effort();
@@ -65,38 +71,95 @@ class Report {
 
   void timeScales() {
     section_ = "time scales";
-    const double scale = contactTimeScale(scene_), step = scene_.time.step;
     const double mass = particleMass(scene_), k = scene_.contacts.stiffness;
-    const double damping = pairDamping(scene_) / (2.0 * std::sqrt(0.5 * mass * k));
-    add("contact time scale T", scale, "s", "2 pi sqrt(m/k)");
-    if (damping < 1.0) {
-      const double contact =
-          std::numbers::pi * std::sqrt(0.5 * mass / k) / std::sqrt(1.0 - damping * damping);
-      add("duration of a contact", contact, "s",
-          fmt::format("two particles, head-on; {:.3g} steps", contact / step));
-    } else {
+    add("contact time scale T", contactTimeScale(scene_), "s", "2 pi sqrt(m/k)");
+    if (const auto contact = contactDuration())
+      add("duration of a contact", *contact, "s", "two particles, head-on");
+    else
       add("duration of a contact", "none", "", "overdamped: particles do not rebound");
-    }
-    add("particle step", step, "s", fmt::format("T/{:.4g}; allowed from T/14 on", scale / step));
+    if (scene_.gas)
+      if (const double umf = minimumFluidizationVelocity(scene_); umf > 0.0 && scene_.gravity > 0.0)
+        add("drag relaxation", umf / scene_.gravity, "s", "u_mf/g, of a particle in the packed bed");
     add("hardest impact", scene_.limits.maxOverlap * scene_.particles.diameter * std::sqrt(2.0 * k / mass),
         "m/s", "two particles, head-on: deeper than limits.max_overlap beyond it");
   }
 
-  void gas(const GasSettings& settings) {
-    const GasGrid grid = makeGasGrid(scene_);
-    const double smallest = smallestCellHeight(grid);
+  /// s; none where two particles do not rebound.
+  std::optional<double> contactDuration() const {
+    const double mass = particleMass(scene_), k = scene_.contacts.stiffness;
+    const double damping = pairDamping(scene_) / (2.0 * std::sqrt(0.5 * mass * k));
+    if (damping >= 1.0) return std::nullopt;
+    return std::numbers::pi * std::sqrt(0.5 * mass / k) / std::sqrt(1.0 - damping * damping);
+  }
+
+  void particleStep() {
+    section_ = "step margins";
+    const double scale = contactTimeScale(scene_);
+    const ContactError error(scene_);
+    if (scene_.time.step.isAutomatic()) {
+      add("particle step", automaticStep, "",
+          fmt::format("at most T/14 = {:.3g} s; {}", longestStep(scene_), chosenSteps(error, scale)));
+      return;
+    }
+    const double step = scene_.time.step;
+    add("particle step", step, "s", fmt::format("T/{:.4g}; allowed from T/14 on", scale / step));
+    if (const auto contact = contactDuration())
+      add("steps in a contact", *contact / step, "",
+          *contact / step < fewSteps ? "few: contacts begin and end within steps; lower time.step, or "
+                                       "time.integrator = \"verlet-onset\""
+                                     : "two particles, head-on");
+    const double missed = 100.0 * error.at(step);
+    add("contact error", missed, "%",
+        fmt::format("of the closing speed, in the speed after a contact, at most{}",
+                    missed > muchMissed ? "; lower time.step, or \"auto\"" : ""));
+  }
+
+  /// What a chosen step is for soft and hard impacts.
+  std::string chosenSteps(const ContactError& error, double scale) const {
+    const double unit = std::sqrt(scene_.gravity * scene_.particles.diameter);
+    if (unit == 0.0) return fmt::format("T/{:.3g}", scale / error.largestStep(1.0, scene_.time.error));
+    const auto at = [&](double speed) {
+      return fmt::format("T/{:.3g} at {:.2g} m/s", scale / error.largestStep(speed, scene_.time.error * unit),
+                         speed);
+    };
+    return fmt::format("{}, {}", at(unit), at(10.0 * unit));
+  }
+
+  void gasStep(const GasSettings& settings) {
     double fastest = 0.0;
     for (const Inlet& inlet : settings.inlets) fastest = std::max(fastest, inletVelocity(scene_, inlet));
-    const double umf = minimumFluidizationVelocity(scene_);
-    add("gas step", settings.step, "s", fmt::format("{} particle steps", stepsPerGasStep(scene_)));
-    if (umf > 0.0 && scene_.gravity > 0.0)
-      add("drag relaxation", umf / scene_.gravity, "s", "u_mf/g, of a particle in the packed bed");
+    const double smallest = smallestCellHeight(makeGasGrid(scene_));
+    const double longest = longestGasStep(scene_);
+    if (settings.step.isAutomatic()) {
+      double most = std::min(longest, scene_.sampling.interval);
+      if (fastest > 0.0) most = std::min(most, 0.5 * smallest / fastest);
+      add("gas step", automaticStep, "",
+          fmt::format("at most {:.3g} s; as long as {:g} of the drag changes in", most, settings.error));
+      return;
+    }
+    const double step = settings.step;
+    add("gas step", step, "s",
+        fmt::format("{}allowed up to {:.3g} s",
+                    scene_.time.step.isAutomatic()
+                        ? ""
+                        : fmt::format("{:.0f} particle steps; ", step / scene_.time.step),
+                    longest));
     if (fastest > 0.0) {
-      const double courant = fastest * settings.step / smallest;
+      const double courant = fastest * step / smallest;
       add("gas Courant number", courant, "",
           courant > 1.0 ? "above 1 at the fastest inlet: lower gas.step"
                         : "at the fastest inlet; stable below 1");
     }
+    if (const double umf = minimumFluidizationVelocity(scene_); umf > 0.0 && scene_.gravity > 0.0) {
+      const double steps = umf / scene_.gravity / step;
+      add("gas steps a relaxation", steps, "",
+          steps < fewSteps ? "few: the drag changes while it is held; lower gas.step" : "");
+    }
+  }
+
+  void gas(const GasSettings& settings) {
+    const GasGrid grid = makeGasGrid(scene_);
+    const double umf = minimumFluidizationVelocity(scene_);
     section_ = "gas";
     if (umf > 0.0)
       add("u_mf", umf, "m/s", settings.minimumFluidizationVelocity ? "given" : "Wen & Yu (1966)");
@@ -138,6 +201,11 @@ class Report {
         "of the solver, estimated");
   }
 
+  /// None where steps are chosen.
+  std::int64_t ticksOfGasStep() const {
+    return scene_.gas && !scene_.gas->step.isAutomatic() ? stepsPerGasStep(scene_) : 0;
+  }
+
   /// Runs the scene from a loose start for a moment and extrapolates.
   void effort() {
     section_ = "effort";
@@ -150,16 +218,18 @@ class Report {
     const auto elapsed = [&] {
       return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     };
-    const std::int64_t batch = std::max<std::int64_t>(100, scene_.gas ? stepsPerGasStep(scene_) : 0);
+    const std::int64_t batch = scene_.time.step.isAutomatic()
+                                   ? std::llround(std::ceil(contactTimeScale(scene_) / tick(scene_)))
+                                   : std::max<std::int64_t>(100, ticksOfGasStep());
     std::optional<std::string> trouble;
     do trouble = simulation->advance(batch);
     while (!trouble && elapsed() < 0.3);
     if (trouble) return add("run time", "unknown", "", *trouble);
-    const double perStep = elapsed() / static_cast<double>(simulation->step());
-    add("steps", static_cast<double>(totalSteps(scene_)));
-    add("run time", perStep * static_cast<double>(totalSteps(scene_)), "s",
-        fmt::format("measured here over {} steps from a loose start, threads: {}{}", simulation->step(),
-                    threads,
+    const double share = scene_.time.duration / simulation->time();
+    add("steps", std::round(share * static_cast<double>(simulation->particleSteps())));
+    add("run time", share * elapsed(), "s",
+        fmt::format("measured here over {} steps from a loose start, threads: {}{}",
+                    simulation->particleSteps(), threads,
                     scene_.start.arrangement == Arrangement::settled ? "; settling comes on top" : ""));
   }
 

@@ -2,6 +2,7 @@
 #include "app/check_report.h"
 #include "app/commands.h"
 #include "app/scene_library.h"
+#include "engine/core/presets.h"
 #include "engine/core/scene_keys.h"
 
 #include <CLI/CLI.hpp>
@@ -10,6 +11,8 @@
 
 #include <iterator>
 #include <memory>
+#include <optional>
+#include <vector>
 
 namespace bedmix {
 
@@ -17,6 +20,7 @@ namespace {
 
 struct CheckOptions {
   std::string scene;
+  std::optional<std::string> accuracy;  // a preset
   bool resolved = false, json = false;
 };
 
@@ -55,7 +59,8 @@ nlohmann::ordered_json asJson(const std::vector<CheckRow>& rows) {
 }
 
 ExitCode check(const CheckOptions& options, const Console& console) {
-  const auto scene = loadScene(options.scene);
+  const auto scene = loadScene(
+      options.scene, options.accuracy ? accuracyOverrides(*options.accuracy) : std::vector<Override>{});
   if (!scene) return refuse(scene.problems, options.json, console);
   if (options.resolved) {
     console.print(writeScene(*scene));
@@ -89,6 +94,10 @@ void addCheckCommand(CLI::App& program, CommandContext context) {
   command->add_option("scene", options->scene, "Scene file, or the name of a bundled scene")
       ->required()
       ->type_name("SCENE");
+  command
+      ->add_option("--accuracy", options->accuracy,
+                   "Preset of the numerics, in place of the scene's: draft, standard, paper, reference")
+      ->type_name("NAME");
   command->add_flag("--resolved", options->resolved,
                     "Print the scene with every default written out instead");
   command->add_flag("--json", options->json, "Print as JSON");

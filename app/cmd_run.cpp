@@ -7,6 +7,7 @@
 #include "app/scene_library.h"
 #include "app/series.h"
 #include "app/version.h"
+#include "engine/core/presets.h"
 #include "engine/core/simd.h"
 #include "engine/core/thread_team.h"
 #include "engine/worker.h"
@@ -32,6 +33,7 @@ constexpr const char* automatic = "auto";
 struct RunOptions {
   std::string scene;
   std::string folder;
+  std::optional<std::string> accuracy;     // a preset
   std::optional<std::string> until, seed;  // as TOML
   std::vector<std::string> settings;       // path=value
   std::string threads = automatic, simd = automatic;
@@ -60,6 +62,7 @@ struct Recording {
 
 Result<std::vector<Override>> overridesOf(const RunOptions& options) {
   std::vector<Override> overrides;
+  if (options.accuracy) overrides = accuracyOverrides(*options.accuracy);
   for (const std::string& setting : options.settings) {
     const std::size_t equals = setting.find('=');
     if (equals == std::string::npos || equals == 0)
@@ -286,6 +289,10 @@ void addRunCommand(CLI::App& program, CommandContext context) {
       ->type_name("DIR");
   command->add_option("--until", options->until, "Simulated seconds, in place of time.duration")
       ->type_name("T");
+  command
+      ->add_option("--accuracy", options->accuracy,
+                   "Preset of the numerics, in place of the scene's: draft, standard, paper, reference")
+      ->type_name("NAME");
   command->add_option("--seed", options->seed, "Seed of the random start, in place of the scene's")
       ->type_name("N");
   command
