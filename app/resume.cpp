@@ -60,7 +60,7 @@ std::optional<Diagnostic> sceneDifference(const Scene& recorded, const Scene& as
                     what + "; give the scene, --set and --seed of that run, only --until may be another"};
 }
 
-Result<ResumePoint> findResumePoint(const TrajectoryReader& recorded, const Scene& scene, int threads,
+Result<ResumePoint> findResumePoint(TrajectoryReader& recorded, const Scene& scene, int threads,
                                     const Console& console) {
   if (auto difference = sceneDifference(recorded.scene(), scene)) return *difference;
   const std::vector<std::vector<std::byte>> found = recorded.checkpoints();

@@ -20,7 +20,7 @@ struct ResumePoint {
 
 /// The newest sound checkpoint of a recorded run; warns of a damaged one. Fails where there is none, and
 /// where `scene` differs from the recorded one in more than its duration, naming the first difference.
-Result<ResumePoint> findResumePoint(const TrajectoryReader& recorded, const Scene& scene, int threads,
+Result<ResumePoint> findResumePoint(TrajectoryReader& recorded, const Scene& scene, int threads,
                                     const Console& console);
 
 /// The first setting in which two scenes differ, their durations apart.

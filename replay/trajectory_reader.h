@@ -15,7 +15,8 @@
 namespace bedmix {
 
 /// The frames of a trajectory file, the same to the bit as those that were written. Memory does not grow with
-/// the length of the run. All HDF5 of a process belongs in one thread.
+/// the length of the run. HDF5 works in a process of the reader's own, so that damage on which it fails is a
+/// Diagnostic like any other.
 class TrajectoryReader final : public FrameSource {
  public:
   /// `path` is a trajectory.h5 or the run folder it lies in. Fails on a file that is missing, foreign,
@@ -29,15 +30,16 @@ class TrajectoryReader final : public FrameSource {
   /// The scene as it was run, every default resolved.
   const Scene& scene() const;
   /// What began to record it; empty where that cannot be read.
-  Provenance provenance() const;
+  const Provenance& provenance() const;
   /// Times of the frames, s, strictly increasing. As many as there are frames, at least one.
   const std::vector<double>& times() const;
 
   /// Frame `index`, below times().size(). Fails where the file is damaged there or holds what is no number.
   Result<FramePtr> frame(std::size_t index);
 
-  /// What is there of checkpoints, whole or not, by the place each stands in; empty where there is none.
-  std::vector<std::vector<std::byte>> checkpoints() const;
+  /// What is there of checkpoints, whole or not, by the place each stands in; empty where there is none or it
+  /// cannot be read.
+  std::vector<std::vector<std::byte>> checkpoints();
 
   /// The frames in order. Null after the last, and where one cannot be read: then failure() says why.
   FramePtr next() override;

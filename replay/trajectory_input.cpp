@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: MIT
+#include "replay/trajectory_input.h"
+
+#include "engine/core/gas_grid.h"
+#include "replay/trajectory_layout.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace bedmix {
+
+namespace {
+
+std::string valueOf(const char* element) { return element + std::string("/value"); }
+
+/// Row `index` of a series of floats, all of them finite.
+template <class T>
+std::vector<T> readFloats(const Hdf5Values& series, std::size_t index) {
+  std::vector<T> row(series.rowSize() * sizeof(float) / sizeof(T));
+  float* const numbers = reinterpret_cast<float*>(row.data());
+  series.readRow(index, numbers);
+  const auto isBad = [](float v) { return !std::isfinite(v); };
+  const auto at = std::find_if(numbers, numbers + series.rowSize(), isBad) - numbers;
+  if (at < static_cast<std::ptrdiff_t>(series.rowSize()))
+    throw Hdf5Error(fmt::format("frame {} holds {} in {}, place {}; what comes before it can be used", index,
+                                numbers[at], series.path(), at));
+  return row;
+}
+
+Provenance readProvenance(const Hdf5Input& in) {
+  try {
+    return {in.text(layout::version), in.text(layout::commit)};
+  } catch (const Hdf5Error&) {
+    return {};
+  }
+}
+
+}  // namespace
+
+SceneText readSceneText(const Hdf5Input& in) {
+  if (!in.has("h5md")) throw Hdf5Error("is HDF5 but not H5MD: it has no group h5md");
+  const std::vector<std::int32_t> version = in.integers("h5md", "version");
+  if (version.size() != 2 || version[0] != 1)
+    throw Hdf5Error("is of H5MD version " + (version.empty() ? "?" : std::to_string(version[0])) +
+                    "; this bedmix reads version 1");
+  if (!in.has(layout::scene))
+    throw Hdf5Error("is H5MD but no run of bedmix: it has no " + std::string(layout::scene));
+  return {in.text(layout::scene), in.text(layout::sceneName)};
+}
+
+TrajectoryInput::TrajectoryInput(const Hdf5Input& in, const Scene& scene)
+    : in_(in),
+      particles_(static_cast<hsize_t>(scene.particles.count)),
+      position_(in.series(valueOf(layout::position), {particles_, 2})),
+      velocity_(in.series(valueOf(layout::velocity), {particles_, 2})) {
+  if (scene.contacts.friction)
+    angularVelocity_.emplace(in.series(valueOf(layout::angularVelocity), {particles_}));
+  if (scene.gas) gas_.emplace(openGas(in, scene));
+  readTimes();
+  readSpecies();
+  constants_.provenance = readProvenance(in);
+}
+
+TrajectoryInput::GasSeries TrajectoryInput::openGas(const Hdf5Input& in, const Scene& scene) {
+  const GasGrid grid = makeGasGrid(scene);
+  const auto rows = static_cast<hsize_t>(grid.rows), columns = static_cast<hsize_t>(grid.columns);
+  return {in.series(valueOf(layout::voidage), {rows, columns}),
+          in.series(valueOf(layout::pressure), {rows, columns}),
+          in.series(valueOf(layout::gasVelocity), {rows, columns, 2})};
+}
+
+void TrajectoryInput::readTimes() {
+  const Hdf5Values step = in_.series(layout::position + std::string("/step"), {});
+  const Hdf5Values time = in_.series(layout::position + std::string("/time"), {});
+  hsize_t frames = std::min({step.rows(), time.rows(), position_.rows(), velocity_.rows()});
+  if (angularVelocity_) frames = std::min(frames, angularVelocity_->rows());
+  if (gas_) frames = std::min({frames, gas_->voidage.rows(), gas_->pressure.rows(), gas_->velocity.rows()});
+  if (frames == 0) throw Hdf5Error("holds no whole frame: its run ended before the first was written");
+  auto& [provenance, steps, times, species, id] = constants_;
+  steps.resize(frames);
+  times.resize(frames);
+  step.readRows(frames, steps.data());
+  time.readRows(frames, times.data());
+  for (std::size_t i = 0; i < frames; ++i) {
+    if (!std::isfinite(times[i]))
+      throw Hdf5Error(fmt::format("the time of frame {} is {}, no number", i, times[i]));
+    if (i > 0 && !(times[i] > times[i - 1] && steps[i] > steps[i - 1]))
+      throw Hdf5Error(fmt::format("frame {} at {} s, step {} does not follow frame {} at {} s, step {}", i,
+                                  times[i], steps[i], i - 1, times[i - 1], steps[i - 1]));
+  }
+}
+
+void TrajectoryInput::readSpecies() {
+  auto& [provenance, steps, times, species, id] = constants_;
+  species.resize(particles_);
+  id.resize(particles_);
+  in_.fixed(layout::species, {particles_}).readRow(0, species.data());
+  in_.fixed(layout::id, {particles_}).readRow(0, id.data());
+  const auto other = std::find_if(species.begin(), species.end(), [](std::uint8_t s) { return s > 1; });
+  if (other != species.end())
+    throw Hdf5Error(fmt::format("particle {} is of species {}; only 0 and 1 (tracer) are known",
+                                other - species.begin(), *other));
+}
+
+Frame TrajectoryInput::frame(std::size_t index) const {
+  Frame frame;
+  frame.position = readFloats<Vec2f>(position_, index);
+  frame.velocity = readFloats<Vec2f>(velocity_, index);
+  if (angularVelocity_) frame.angularVelocity = readFloats<float>(*angularVelocity_, index);
+  if (gas_) {
+    frame.gas.voidage = readFloats<float>(gas_->voidage, index);
+    frame.gas.pressure = readFloats<float>(gas_->pressure, index);
+    frame.gas.velocity = readFloats<Vec2f>(gas_->velocity, index);
+  }
+  return frame;
+}
+
+std::vector<std::byte> TrajectoryInput::checkpoint(std::size_t slot) const {
+  const char* const path = layout::checkpointSlots[slot];
+  if (!in_.has(path)) return {};
+  try {
+    const Hdf5Values values = in_.series(path, {});
+    std::vector<std::byte> bytes(values.rows());
+    if (!bytes.empty()) values.readRows(bytes.size(), reinterpret_cast<std::uint8_t*>(bytes.data()));
+    return bytes;
+  } catch (const std::exception&) {
+    return {};
+  }
+}
+
+}  // namespace bedmix

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "engine/core/diagnostic.h"
+#include "engine/core/frame.h"
+#include "engine/core/scene.h"
+#include "replay/hdf5_input.h"
+#include "replay/provenance.h"
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+// What HDF5 finds in a trajectory. It happens in a process of its own, see reader_process.h. Failures throw
+// Hdf5Error.
+
+namespace bedmix {
+
+/// A scene as a file holds it.
+struct SceneText {
+  std::string text, name;
+};
+SceneText readSceneText(const Hdf5Input& in);
+
+/// What a trajectory says once.
+struct RunConstants {
+  Provenance provenance;  // empty where it cannot be read
+  std::vector<std::int64_t> steps;
+  std::vector<double> times;  // s, as many
+  std::vector<std::uint8_t> species;
+  std::vector<std::int32_t> id;
+};
+
+class TrajectoryInput {
+ public:
+  /// Finds all that a run of the scene has recorded.
+  TrajectoryInput(const Hdf5Input& in, const Scene& scene);
+
+  const RunConstants& constants() const { return constants_; }
+  /// Without what is constant.
+  Frame frame(std::size_t index) const;
+  /// What is there of a checkpoint; empty where that cannot be read.
+  std::vector<std::byte> checkpoint(std::size_t slot) const;
+
+ private:
+  struct GasSeries {
+    Hdf5Values voidage, pressure, velocity;
+  };
+  static GasSeries openGas(const Hdf5Input& in, const Scene& scene);
+  void readTimes();
+  void readSpecies();
+
+  const Hdf5Input& in_;
+  hsize_t particles_;
+  Hdf5Values position_, velocity_;
+  std::optional<Hdf5Values> angularVelocity_;
+  std::optional<GasSeries> gas_;
+  RunConstants constants_;
+};
+
+}  // namespace bedmix
