@@ -55,8 +55,8 @@ HWY_INLINE Plane<D> scale(hn::Vec<D> s, const Plane<D>& a) {
   return {hn::Mul(s, a.x), hn::Mul(s, a.y)};
 }
 
-/// What happens to a vector of particles.
-template <bool turns, bool dragged, bool kicks, bool drifts>
+/// What happens to a vector of particles; `halves` is velocity Verlet's.
+template <bool turns, bool dragged, bool halves, bool kicks, bool drifts>
 class Mover {
  public:
   explicit Mover(const MotionKernel& k) : k_(k) {}
@@ -64,35 +64,31 @@ class Mover {
   /// Those from `i` on, as many as D has lanes; the larger of `fastest2` and their squared speeds.
   template <class D>
   HWY_INLINE hn::Vec<D> move(D d, std::size_t i, hn::Vec<D> fastest2) const {
-    const auto one = hn::Set(d, 1.0), zero = hn::Zero(d);
-    const auto early = hn::Set(d, k_.early), late = hn::Set(d, k_.late);
+    const auto one = hn::Set(d, 1.0), part = hn::Set(d, kickOf()), zero = hn::Zero(d);
     const Rows<D> sums = loadRows(d, &k_.loads[i].force.x);
     Plane<D> force{sums.a, sums.b};
-    auto braking = zero;  // drag/m
+    auto braking = zero;  // drag/m in the part of a step that a kick is of
     if constexpr (dragged) {
       force = add(force, loadPlane(d, k_.external + i));
-      braking = hn::LoadU(d, k_.drag + i);
+      braking = hn::Mul(hn::Mul(part, hn::LoadU(d, k_.drag + i)), hn::Set(d, k_.perMass));
     }
-    const auto brake = [&](auto seconds)
-                           HWY_ATTR { return hn::Mul(hn::Mul(seconds, braking), hn::Set(d, k_.perMass)); };
     Plane<D> gain = scale<D>(hn::Set(d, k_.perMass), force);
     gain.y = hn::Sub(gain.y, hn::Set(d, k_.gravity));
+    gain = scale<D>(part, gain);
     Plane<D> v = loadPlane(d, k_.velocity + i);
     if constexpr (kicks) {
-      if constexpr (dragged) v = scale<D>(hn::Sub(one, brake(late)), v);
-      v = add(v, scale<D>(late, gain));
+      if constexpr (dragged) v = scale<D>(hn::Sub(one, braking), v);
+      v = add(v, gain);
     }
     if constexpr (drifts) {
       const Plane<D> start = v;
-      v = add(v, scale<D>(early, gain));
-      if constexpr (dragged) v = scale<D>(hn::Div(one, hn::Add(one, brake(early))), v);
-      Plane<D> ahead = add(v, scale<D>(late, gain));
-      // What the early part gained, drag included, the late one is taken to gain in proportion.
-      if constexpr (dragged) {
-        const auto ratio = hn::Set(d, k_.late / k_.early);
-        ahead = {hn::Sub(hn::Add(v.x, hn::Mul(ratio, v.x)), hn::Mul(ratio, start.x)),
-                 hn::Sub(hn::Add(v.y, hn::Mul(ratio, v.y)), hn::Mul(ratio, start.y))};
-      }
+      v = add(v, gain);
+      if constexpr (dragged) v = scale<D>(hn::Div(one, hn::Add(one, braking)), v);
+      Plane<D> ahead = v;
+      if constexpr (halves && dragged)
+        ahead = {hn::Sub(hn::Add(v.x, v.x), start.x), hn::Sub(hn::Add(v.y, v.y), start.y)};
+      else if constexpr (halves)
+        ahead = add(v, gain);
       double* const body = &k_.body[i].position.x;
       const Rows<D> before = loadRows(d, body);
       const Plane<D> moved = add({before.a, before.b}, scale<D>(hn::Set(d, k_.step), v));
@@ -112,6 +108,8 @@ class Mover {
   }
 
  private:
+  double kickOf() const { return halves ? 0.5 * k_.step : k_.step; }
+
   template <class D>
   HWY_INLINE void clear(D d, std::size_t i) const {
     double* const to = &k_.loads[i].force.x;
@@ -120,13 +118,12 @@ class Mover {
 
   template <class D>
   HWY_INLINE void turn(D d, std::size_t i, hn::Vec<D> torque) const {
-    const auto early = hn::Mul(hn::Set(d, k_.early * k_.perInertia), torque);
-    const auto late = hn::Mul(hn::Set(d, k_.late * k_.perInertia), torque);
+    const auto gain = hn::Mul(hn::Set(d, kickOf() * k_.perInertia), torque);
     auto spin = hn::LoadU(d, k_.spin + i);
-    if constexpr (kicks) spin = hn::Add(spin, late);
+    if constexpr (kicks) spin = hn::Add(spin, gain);
     if constexpr (drifts) {
-      spin = hn::Add(spin, early);
-      hn::StoreU(hn::Add(spin, late), d, k_.spinAhead + i);
+      spin = hn::Add(spin, gain);
+      hn::StoreU(halves ? hn::Add(spin, gain) : spin, d, k_.spinAhead + i);
     }
     hn::StoreU(spin, d, k_.spin + i);
   }
@@ -134,9 +131,9 @@ class Mover {
   MotionKernel k_;
 };
 
-template <bool turns, bool dragged, bool kicks, bool drifts>
+template <bool turns, bool dragged, bool halves, bool kicks, bool drifts>
 double moveAll(const MotionKernel& kernel, Range particles) {
-  const Mover<turns, dragged, kicks, drifts> mover(kernel);
+  const Mover<turns, dragged, halves, kicks, drifts> mover(kernel);
   const hn::ScalableTag<double> d;
   const hn::CappedTag<double, 1> single;
   auto fastest2 = hn::Zero(d);
@@ -147,20 +144,27 @@ double moveAll(const MotionKernel& kernel, Range particles) {
   return hn::GetLane(last);
 }
 
-template <bool kicks, bool drifts>
+template <bool halves, bool kicks, bool drifts>
 double choose(const MotionKernel& k, Range particles) {
-  const bool turns = k.spin != nullptr, dragged = k.external != nullptr;
-  const auto chosen =
-      turns ? (dragged ? moveAll<true, true, kicks, drifts> : moveAll<true, false, kicks, drifts>)
-            : (dragged ? moveAll<false, true, kicks, drifts> : moveAll<false, false, kicks, drifts>);
-  return chosen(k, particles);
+  const bool dragged = k.external != nullptr;
+  const auto smooth =
+      dragged ? moveAll<false, true, halves, kicks, drifts> : moveAll<false, false, halves, kicks, drifts>;
+  const auto rough =
+      dragged ? moveAll<true, true, halves, kicks, drifts> : moveAll<true, false, halves, kicks, drifts>;
+  return (k.spin != nullptr ? rough : smooth)(k, particles);
 }
 
 }  // namespace
 
-double drift(const MotionKernel& k, Range particles) { return choose<false, true>(k, particles); }
-double kick(const MotionKernel& k, Range particles) { return choose<true, false>(k, particles); }
-double kickAndDrift(const MotionKernel& k, Range particles) { return choose<true, true>(k, particles); }
+double drift(const MotionKernel& k, Range particles) {
+  return k.halves ? choose<true, false, true>(k, particles) : choose<false, false, true>(k, particles);
+}
+double kick(const MotionKernel& k, Range particles) {
+  return k.halves ? choose<true, true, false>(k, particles) : choose<false, false, false>(k, particles);
+}
+double kickAndDrift(const MotionKernel& k, Range particles) {
+  return k.halves ? choose<true, true, true>(k, particles) : choose<false, false, true>(k, particles);
+}
 
 }  // namespace bedmix::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();

@@ -7,14 +7,11 @@
 
 namespace bedmix {
 
-/// A step over particles, in vectors; one value a particle: the velocity gains the force times `early`, the
-/// position the velocity times `step`, the velocity the new force times `late`. Half a step each are velocity
-/// Verlet, a whole step and none symplectic Euler. Without friction what turns is null, without external
-/// forces these are.
+/// Steps over particles, in vectors; one value a particle. Without friction what turns is null, without
+/// external forces these are.
 struct MotionKernel {
   double step = 0.0;         // s
-  double early = 0.0;        // s
-  double late = 0.0;         // s
+  bool halves = true;        // velocity Verlet; else symplectic Euler
   double gravity = 0.0;      // m/s2, downward
   double perMass = 0.0;      // 1/kg
   double perInertia = 0.0;   // 1/(kg m2)
@@ -27,14 +24,14 @@ struct MotionKernel {
   Load* loads = nullptr;           // of contacts; zero after a drift
   double* spinAhead = nullptr;     // predicted likewise
 
-  /// The early part of a step in velocity, all of it in position. The drag of the step is that of the
-  /// velocity with which the position moves, implicitly: v' = (v + early a) / (1 + early drag/m), and its
-  /// impulse exactly -drag times the displacement. Returns the square of the largest of these speeds;
-  /// infinite where one is not finite.
+  /// Half a step in velocity, a whole one in position; Euler's is a whole one in both. The drag of the step
+  /// is that of the velocity with which the position moves, implicitly: v' = (v + dt/2 a) / (1 + dt/2
+  /// drag/m), and its impulse exactly -drag times the displacement. Returns the square of the largest of
+  /// these speeds; infinite where one is not finite.
   double drift(Range particles) const;
-  /// The late part of a step, the last of several. Returns the like of the speeds after it.
+  /// The second half of a step in velocity, the last of several; Euler's has none. Returns likewise.
   double kick(Range particles) const;
-  /// The late part of a step and the early one of the next. Returns as drift() does.
+  /// The second half of a step and the first of the next.
   double kickAndDrift(Range particles) const;
 };
 

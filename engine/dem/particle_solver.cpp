@@ -103,7 +103,7 @@ std::int64_t ParticleSolver::largestOverlapParticle() const {
 }
 
 double ParticleSolver::closingSpeed(double span) {
-  return bedmix::closingSpeed(bed_, pairLaw_, wallLaw_, span);
+  return bedmix::closingSpeed(bed_, pairLaw_, wallLaw_, fastest_.speed, span);
 }
 
 std::int64_t ParticleSolver::contactCount() const {
@@ -195,6 +195,7 @@ bool ParticleSolver::load(StateReader& in) {
   if (!in.get(begun) || begun > 1 || !bed_.load(in, begun == 1)) return false;
   begun_ = begun == 1;
   if (begun_) goOn();
+  fastest_ = findFastest(bed_.particles);
   return true;
 }
 

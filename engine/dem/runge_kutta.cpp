@@ -62,7 +62,6 @@ StepOutcome RungeKutta4::advance(BedState& bed, std::int64_t steps, double maxOv
     if (!outcome.finite) return outcome;
     attempt(bed, true);
   }
-  bed.placeBodies();
   outcome.finite = isFinite(bed.particles) && std::isfinite(largestNorm(bed.particles.velocity));
   return outcome;
 }

@@ -16,7 +16,7 @@ constexpr int sampledSteps = 13;
 
 Verlet::Verlet(const Scene& scene, const BedState& bed)
     : contacts_(scene),
-      late_(scene.time.integrator == Integrator::symplecticEuler ? 0.0 : 0.5),
+      halves_(scene.time.integrator != Integrator::symplecticEuler),
       reachAhead_(scene.time.integrator == Integrator::verletOnset ? 2.0 : 0.0),
       spare_(bed.team.size()),
       fastest2_(bed.contacts.blocks()),
@@ -32,8 +32,7 @@ MotionKernel Verlet::motion(BedState& bed) const {
   Particles& p = bed.particles;
   const auto orNull = [](auto& values) { return values.empty() ? nullptr : values.data(); };
   return {.step = bed.step,
-          .early = (1.0 - late_) * bed.step,
-          .late = late_ * bed.step,
+          .halves = halves_,
           .gravity = bed.gravity,
           .perMass = 1.0 / p.mass,
           .perInertia = 1.0 / p.inertia,

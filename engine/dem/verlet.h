@@ -50,7 +50,7 @@ class Verlet {
   MotionKernel motion(BedState& bed) const;
 
   ContactForces contacts_;
-  double late_;        // of a step's forces on velocities, the part after the positions
+  bool halves_;        // velocities go half a step at a time, see MotionKernel
   double reachAhead_;  // of what the fastest goes in a step: gap of those that may push each other
   std::vector<ContactSlots> spare_;  // of each member
   // Of each block; written after the members' second meeting in a step, read after the first.

@@ -117,6 +117,22 @@ TEST_P(ClosingSpeed, ThreadsAndAskingChangeNothing) {
   }
 }
 
+// A solver that was loaded tells the same.
+TEST_P(ClosingSpeed, IsKeptByACheckpoint) {
+  const auto saved = crowd(scene_, 1.01 * scene_.particles.diameter);
+  for (int k = 0; k < 20; ++k) {
+    ASSERT_FALSE(saved->advance(7));
+    StateWriter out(0);
+    saved->save(out);
+    const auto loaded = crowd(scene_, 1.01 * scene_.particles.diameter);
+    const std::vector<std::byte> bytes = out.take();
+    StateReader in(bytes);
+    ASSERT_TRUE(loaded->load(in));
+    EXPECT_EQ(loaded->closingSpeed(20.0 * span), saved->closingSpeed(20.0 * span));
+    EXPECT_EQ(loaded->closingSpeed(span), saved->closingSpeed(span));
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(Integrators, ClosingSpeed, eachIntegrator(), nameOfIntegrator);
 
 }  // namespace
