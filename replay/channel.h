@@ -32,11 +32,6 @@ class Channel {
     static_assert(std::is_trivially_copyable_v<T>);
     send(std::as_bytes(std::span(&value, 1)));
   }
-  /// Values whose number the other end knows.
-  template <class T>
-  void putValues(const std::vector<T>& values) {
-    send(std::as_bytes(std::span(values)));
-  }
   /// How many, then each.
   template <class List>
   void putAll(const List& values) {
@@ -49,12 +44,6 @@ class Channel {
     T value{};
     receive(std::as_writable_bytes(std::span(&value, 1)));
     return value;
-  }
-  template <class T>
-  std::vector<T> getValues(std::size_t count) {
-    std::vector<T> values(count);
-    receive(std::as_writable_bytes(std::span(values)));
-    return values;
   }
   template <class List>
   List getAll() {

@@ -24,15 +24,6 @@ void limit(decltype(RLIMIT_CPU) what, rlim_t most) {
   setrlimit(what, &allowed);
 }
 
-/// Half the machine's memory on top of what is taken up at the start, so that no number in a file can bring
-/// the machine down.
-void limitMemory() {
-  rlim_t pages = 0;
-  std::ifstream("/proc/self/statm") >> pages;
-  pages += static_cast<rlim_t>(sysconf(_SC_PHYS_PAGES)) / 2;
-  limit(RLIMIT_AS, pages * static_cast<rlim_t>(sysconf(_SC_PAGESIZE)));
-}
-
 /// Leaves by _exit: buffers and files that are open here are the parent's.
 [[noreturn]] void run(const ChildProcess::Work& task, int socket) {
   constexpr int first = 3;
@@ -41,7 +32,6 @@ void limitMemory() {
   for (const int ours : {SIGINT, SIGTERM, SIGHUP, SIGUSR1}) std::signal(ours, SIG_IGN);
   std::signal(SIGXCPU, SIG_DFL);
   limit(RLIMIT_CORE, 0);
-  limitMemory();
   try {
     Channel parent(first);
     task(parent);
@@ -91,10 +81,18 @@ std::string ChildProcess::end() {
   return name ? std::string("SIG") + name : "signal " + std::to_string(WTERMSIG(status));
 }
 
-void ChildProcess::allow(std::chrono::seconds computing) {
+void ChildProcess::allowComputing(std::chrono::seconds most) {
   rusage used{};
   getrusage(RUSAGE_SELF, &used);
-  limit(RLIMIT_CPU, static_cast<rlim_t>(used.ru_utime.tv_sec + used.ru_stime.tv_sec + 1 + computing.count()));
+  limit(RLIMIT_CPU, static_cast<rlim_t>(used.ru_utime.tv_sec + used.ru_stime.tv_sec + 1 + most.count()));
+}
+
+void ChildProcess::allowMemory(std::uintmax_t most) {
+  rlim_t pages = 0;
+  std::ifstream("/proc/self/statm") >> pages;
+  const auto half = static_cast<rlim_t>(sysconf(_SC_PHYS_PAGES)) / 2;
+  const auto page = static_cast<rlim_t>(sysconf(_SC_PAGESIZE));
+  limit(RLIMIT_AS, (pages + std::min<rlim_t>(most / page, half)) * page);
 }
 
 }  // namespace bedmix

@@ -4,6 +4,7 @@
 #include "replay/channel.h"
 
 #include <chrono>
+#include <cstdint>
 #include <functional>
 #include <string>
 #include <sys/types.h>
@@ -29,7 +30,9 @@ class ChildProcess {
   std::string end();
 
   /// In the child: it ends unless it asks again before it has computed for so long.
-  static void allow(std::chrono::seconds computing);
+  static void allowComputing(std::chrono::seconds most);
+  /// In the child: it can take up so many bytes more, and no more than half of what the machine has.
+  static void allowMemory(std::uintmax_t most);
 
  private:
   Channel channel_;

@@ -123,7 +123,8 @@ Hdf5Input::Hdf5Input(const std::filesystem::path& path) : file_(openFile(path)) 
 bool Hdf5Input::has(const std::string& path) const {
   // Each part on its own: H5Lexists fails where a part before the last is missing.
   for (std::size_t end = path.find('/');; end = path.find('/', end + 1)) {
-    if (H5Lexists(file_, path.substr(0, end).c_str(), H5P_DEFAULT) <= 0) return false;
+    const std::string part = path.substr(0, end);
+    if (checkHdf5(H5Lexists(file_, part.c_str(), H5P_DEFAULT), "look for " + part) == 0) return false;
     if (end == std::string::npos) return true;
   }
 }

@@ -16,12 +16,14 @@ namespace {
 
 // What is said, in this order. The child: trouble, scene; then, where that is sound, trouble, constants. Then
 // the parent a request, the child its answer, and so on. Trouble is a text, empty where there is none and the
-// rest follows.
+// rest follows. The numbers of frames go through shared memory, which has room for two: one is taken out of
+// the one half while the next is read into the other.
 
-enum class Wanted { frame, checkpoint };
+enum class Wanted : std::size_t { frame, checkpoint };
 struct Request {
   Wanted wanted;
   std::size_t index;
+  std::size_t half = 0;  // of the memory, where a frame is wanted
 };
 
 Result<Scene> parse(const SceneText& scene, const std::filesystem::path& file) {
@@ -37,16 +39,20 @@ std::string troubleOf(const std::function<void()>& read) {
     read();
     return "";
   } catch (const std::bad_alloc&) {
-    return "asks for more memory than this machine has; it is damaged, or from a larger one";
+    return "asks for more memory than a file of its size can need; copy it once more from where it was "
+           "recorded";
   } catch (const std::exception& e) {
     return e.what();
   }
 }
 
-/// An honest file needs a thousandth of it.
-std::chrono::seconds patience(const std::filesystem::path& file) {
+/// What a request of an honest file needs a fraction of.
+std::chrono::seconds enoughComputing(const std::filesystem::path& file) {
   constexpr std::uintmax_t bytesPerSecond = 20'000'000;
   return std::chrono::seconds(5 + std::filesystem::file_size(file) / bytesPerSecond);
+}
+std::uintmax_t enoughMemory(const std::filesystem::path& file) {
+  return 256'000'000 + 4 * std::filesystem::file_size(file);
 }
 
 void putConstants(Channel& to, const RunConstants& constants) {
@@ -69,72 +75,43 @@ RunConstants getConstants(Channel& from) {
   return constants;
 }
 
-void putFrame(Channel& to, const Frame& frame) {
-  to.putValues(frame.position);
-  to.putValues(frame.velocity);
-  to.putValues(frame.angularVelocity);
-  to.putValues(frame.gas.voidage);
-  to.putValues(frame.gas.pressure);
-  to.putValues(frame.gas.velocity);
+/// Copies `count` values from where `at` points and moves it on.
+template <class T>
+std::vector<T> take(const float*& at, std::size_t count) {
+  const auto* const values = reinterpret_cast<const T*>(at);
+  at = reinterpret_cast<const float*>(values + count);
+  return {values, values + count};
 }
 
-FramePtr getFrame(Channel& from, const RecordedRun& run, std::size_t index) {
+Frame makeFrame(const RecordedRun& run, std::size_t index, const float* numbers) {
   const auto& [provenance, steps, times, species, id] = run.constants;
   const std::size_t n = species.size();
-  auto frame = std::make_shared<Frame>();
-  frame->step = steps[index];
-  frame->time = times[index];
-  frame->species = species;
-  frame->id = id;
-  frame->position = from.getValues<Vec2f>(n);
-  frame->velocity = from.getValues<Vec2f>(n);
-  if (run.scene.contacts.friction) frame->angularVelocity = from.getValues<float>(n);
+  Frame frame;
+  frame.step = steps[index];
+  frame.time = times[index];
+  frame.species = species;
+  frame.id = id;
+  frame.position = take<Vec2f>(numbers, n);
+  frame.velocity = take<Vec2f>(numbers, n);
+  if (run.scene.contacts.friction) frame.angularVelocity = take<float>(numbers, n);
   if (run.scene.gas) {
     const GasGrid grid = makeGasGrid(run.scene);
     const auto cells = static_cast<std::size_t>(grid.rows) * static_cast<std::size_t>(grid.columns);
-    frame->gas.voidage = from.getValues<float>(cells);
-    frame->gas.pressure = from.getValues<float>(cells);
-    frame->gas.velocity = from.getValues<Vec2f>(cells);
+    frame.gas.voidage = take<float>(numbers, cells);
+    frame.gas.pressure = take<float>(numbers, cells);
+    frame.gas.velocity = take<Vec2f>(numbers, cells);
   }
   return frame;
 }
 
-constexpr std::size_t noFrame = static_cast<std::size_t>(-1);
-
-/// A frame that has been read, or why not.
-struct ReadFrame {
-  std::size_t index = noFrame;
-  Frame frame;
-  std::string trouble;
-};
-
-ReadFrame read(const TrajectoryInput& in, std::size_t index) {
-  ReadFrame read{index, {}, {}};
-  read.trouble = troubleOf([&] { read.frame = in.frame(index); });
-  return read;
-}
-
-void answer(Channel& parent, const TrajectoryInput& in, const std::filesystem::path& file) {
-  ReadFrame ahead;
-  for (std::size_t last = noFrame;;) {
-    const auto request = parent.get<Request>();
-    ChildProcess::allow(patience(file));
-    if (request.wanted == Wanted::checkpoint) {
-      parent.putAll(in.checkpoint(request.index));
-      continue;
-    }
-    if (ahead.index != request.index) ahead = read(in, request.index);
-    parent.putAll(ahead.trouble);
-    if (ahead.trouble.empty()) putFrame(parent, ahead.frame);
-    const std::size_t next = request.index + (last == noFrame ? 1 : request.index - last);
-    if (next != ahead.index && next < in.constants().times.size()) ahead = read(in, next);
-    last = request.index;
-  }
+float* half(const SharedMemory& memory, std::size_t which, std::size_t numbers) {
+  return reinterpret_cast<float*>(memory.data()) + which * numbers;
 }
 
 /// All that the child does.
-void serve(Channel& parent, const std::filesystem::path& file) {
-  ChildProcess::allow(patience(file));
+void serve(Channel& parent, const SharedMemory& memory, const std::filesystem::path& file) {
+  ChildProcess::allowMemory(enoughMemory(file));
+  ChildProcess::allowComputing(enoughComputing(file));
   std::optional<Hdf5Input> in;
   SceneText text;
   std::string trouble = troubleOf([&] { text = readSceneText(in.emplace(file)); });
@@ -150,13 +127,28 @@ void serve(Channel& parent, const std::filesystem::path& file) {
   parent.putAll(trouble);
   if (!trouble.empty()) return;
   putConstants(parent, trajectory->constants());
-  answer(parent, *trajectory, file);
+  const std::size_t numbers = numbersPerFrame(*scene);
+  for (;;) {
+    const auto request = parent.get<Request>();
+    ChildProcess::allowComputing(enoughComputing(file));
+    if (request.wanted == Wanted::checkpoint) {
+      parent.putAll(trajectory->checkpoint(request.index));
+      continue;
+    }
+    parent.putAll(
+        troubleOf([&] { trajectory->readFrame(request.index, half(memory, request.half, numbers)); }));
+  }
 }
+
+/// As much as two frames of that file may need.
+std::size_t roomFor(const std::filesystem::path& file) { return 1 + 2 * std::filesystem::file_size(file); }
 
 }  // namespace
 
 ReaderProcess::ReaderProcess(std::filesystem::path file)
-    : file_(std::move(file)), child_([this](Channel& parent) { serve(parent, file_); }) {}
+    : file_(std::move(file)),
+      memory_(roomFor(file_)),
+      child_([this](Channel& parent) { serve(parent, memory_, file_); }) {}
 
 std::optional<Diagnostic> ReaderProcess::trouble() {
   std::string text = child_.channel().getAll<std::string>();
@@ -172,16 +164,37 @@ Result<RecordedRun> ReaderProcess::open() {
   Result<Scene> scene = parse(text, file_);
   if (!scene) return std::move(scene.problems);
   if (auto problem = trouble()) return *problem;
+  numbers_ = numbersPerFrame(*scene);
+  memory_.open(2 * numbers_ * sizeof(float));
   return RecordedRun{std::move(*scene), getConstants(child_.channel())};
 }
 
+void ReaderProcess::ask(Asked frame) {
+  child_.channel().put(Request{Wanted::frame, frame.index, frame.half});
+  ahead_ = frame;
+}
+
+void ReaderProcess::settle() {
+  if (ahead_) trouble();
+  ahead_.reset();
+}
+
 Result<FramePtr> ReaderProcess::frame(const RecordedRun& run, std::size_t index) {
-  child_.channel().put(Request{Wanted::frame, index});
-  if (auto problem = trouble()) return *problem;
-  return getFrame(child_.channel(), run, index);
+  if (!ahead_ || ahead_->index != index) {
+    settle();
+    ask({index, 0});
+  }
+  const std::optional<Diagnostic> problem = trouble();
+  const std::size_t here = ahead_->half, next = index + (last_ ? index - *last_ : 1);
+  ahead_.reset();
+  if (next < run.constants.times.size()) ask({next, 1 - here});
+  last_ = index;
+  if (problem) return *problem;
+  return std::make_shared<const Frame>(makeFrame(run, index, half(memory_, here, numbers_)));
 }
 
 std::vector<std::byte> ReaderProcess::checkpoint(std::size_t slot) {
+  settle();
   child_.channel().put(Request{Wanted::checkpoint, slot});
   return child_.channel().getAll<std::vector<std::byte>>();
 }

@@ -5,10 +5,12 @@
 #include "engine/core/frame.h"
 #include "engine/core/scene.h"
 #include "replay/child_process.h"
+#include "replay/shared_memory.h"
 #include "replay/trajectory_input.h"
 
 #include <cstddef>
 #include <filesystem>
+#include <optional>
 #include <vector>
 
 namespace bedmix {
@@ -36,10 +38,20 @@ class ReaderProcess {
   std::string end() { return child_.end(); }
 
  private:
+  /// A frame the child has been asked for, and which half of the memory it goes to.
+  struct Asked {
+    std::size_t index, half;
+  };
   std::optional<Diagnostic> trouble();
+  void ask(Asked frame);
+  void settle();
 
   std::filesystem::path file_;
+  SharedMemory memory_;
   ChildProcess child_;
+  std::size_t numbers_ = 0;  // of a frame
+  std::optional<Asked> ahead_;
+  std::optional<std::size_t> last_;  // that was handed over
 };
 
 }  // namespace bedmix

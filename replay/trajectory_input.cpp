@@ -15,18 +15,15 @@ namespace {
 
 std::string valueOf(const char* element) { return element + std::string("/value"); }
 
-/// Row `index` of a series of floats, all of them finite.
-template <class T>
-std::vector<T> readFloats(const Hdf5Values& series, std::size_t index) {
-  std::vector<T> row(series.rowSize() * sizeof(float) / sizeof(T));
-  float* const numbers = reinterpret_cast<float*>(row.data());
-  series.readRow(index, numbers);
-  const auto isBad = [](float v) { return !std::isfinite(v); };
-  const auto at = std::find_if(numbers, numbers + series.rowSize(), isBad) - numbers;
-  if (at < static_cast<std::ptrdiff_t>(series.rowSize()))
+/// Reads row `index` of a series of floats, all of them finite, and returns its end.
+float* readFloats(const Hdf5Values& series, std::size_t index, float* into) {
+  series.readRow(index, into);
+  float* const end = into + series.rowSize();
+  float* const bad = std::find_if(into, end, [](float v) { return !std::isfinite(v); });
+  if (bad != end)
     throw Hdf5Error(fmt::format("frame {} holds {} in {}, place {}; what comes before it can be used", index,
-                                numbers[at], series.path(), at));
-  return row;
+                                *bad, series.path(), bad - into));
+  return end;
 }
 
 Provenance readProvenance(const Hdf5Input& in) {
@@ -48,6 +45,14 @@ SceneText readSceneText(const Hdf5Input& in) {
   if (!in.has(layout::scene))
     throw Hdf5Error("is H5MD but no run of bedmix: it has no " + std::string(layout::scene));
   return {in.text(layout::scene), in.text(layout::sceneName)};
+}
+
+std::size_t numbersPerFrame(const Scene& scene) {
+  const auto particles = static_cast<std::size_t>(scene.particles.count);
+  const std::size_t ofParticles = particles * (scene.contacts.friction ? 5 : 4);
+  if (!scene.gas) return ofParticles;
+  const GasGrid grid = makeGasGrid(scene);
+  return ofParticles + 4 * static_cast<std::size_t>(grid.rows) * static_cast<std::size_t>(grid.columns);
 }
 
 TrajectoryInput::TrajectoryInput(const Hdf5Input& in, const Scene& scene)
@@ -104,23 +109,19 @@ void TrajectoryInput::readSpecies() {
                                 other - species.begin(), *other));
 }
 
-Frame TrajectoryInput::frame(std::size_t index) const {
-  Frame frame;
-  frame.position = readFloats<Vec2f>(position_, index);
-  frame.velocity = readFloats<Vec2f>(velocity_, index);
-  if (angularVelocity_) frame.angularVelocity = readFloats<float>(*angularVelocity_, index);
-  if (gas_) {
-    frame.gas.voidage = readFloats<float>(gas_->voidage, index);
-    frame.gas.pressure = readFloats<float>(gas_->pressure, index);
-    frame.gas.velocity = readFloats<Vec2f>(gas_->velocity, index);
-  }
-  return frame;
+void TrajectoryInput::readFrame(std::size_t index, float* into) const {
+  into = readFloats(position_, index, into);
+  into = readFloats(velocity_, index, into);
+  if (angularVelocity_) into = readFloats(*angularVelocity_, index, into);
+  if (gas_)
+    for (const Hdf5Values* field : {&gas_->voidage, &gas_->pressure, &gas_->velocity})
+      into = readFloats(*field, index, into);
 }
 
 std::vector<std::byte> TrajectoryInput::checkpoint(std::size_t slot) const {
   const char* const path = layout::checkpointSlots[slot];
-  if (!in_.has(path)) return {};
   try {
+    if (!in_.has(path)) return {};
     const Hdf5Values values = in_.series(path, {});
     std::vector<std::byte> bytes(values.rows());
     if (!bytes.empty()) values.readRows(bytes.size(), reinterpret_cast<std::uint8_t*>(bytes.data()));

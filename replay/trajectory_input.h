@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "engine/core/diagnostic.h"
-#include "engine/core/frame.h"
 #include "engine/core/scene.h"
 #include "replay/hdf5_input.h"
 #include "replay/provenance.h"
@@ -32,14 +30,18 @@ struct RunConstants {
   std::vector<std::int32_t> id;
 };
 
+/// Numbers of a frame that change with time.
+std::size_t numbersPerFrame(const Scene& scene);
+
 class TrajectoryInput {
  public:
   /// Finds all that a run of the scene has recorded.
   TrajectoryInput(const Hdf5Input& in, const Scene& scene);
 
   const RunConstants& constants() const { return constants_; }
-  /// Without what is constant.
-  Frame frame(std::size_t index) const;
+  /// What changes with time: the numbers of the rows, one after the other, in the order of
+  /// trajectory_layout.h. `into` must have room for numbersPerFrame() of the scene.
+  void readFrame(std::size_t index, float* into) const;
   /// What is there of a checkpoint; empty where that cannot be read.
   std::vector<std::byte> checkpoint(std::size_t slot) const;
 

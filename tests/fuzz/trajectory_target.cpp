@@ -65,13 +65,6 @@ void mutate(std::string& input, Rng& rng) { mutateBytes(input, rng); }
 
 }  // namespace bedmix::fuzz
 
-// What only HDF5 itself could do better: it asks for as much memory as the file says, and takes no for an
-// answer; loses a few hundred bytes wherever it refuses a file; and, in 1.10.8, reads past the end of damaged
-// messages in an object's header.
-extern "C" const char* __asan_default_options() { return "allocator_may_return_null=1"; }
-extern "C" const char* __lsan_default_suppressions() { return "leak:libhdf5"; }
-extern "C" const char* __asan_default_suppressions() { return "interceptor_via_fun:H5O__*"; }
-
 int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   std::ofstream(temporaryPath(), std::ios::binary)
       .write(reinterpret_cast<const char*>(data), static_cast<std::streamsize>(size));
