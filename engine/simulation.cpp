@@ -17,6 +17,7 @@
 #include <algorithm>
 #include <array>
 #include <chrono>
+#include <cmath>
 #include <numeric>
 
 namespace bedmix {
@@ -133,6 +134,7 @@ struct Simulation::State {
 
   std::int64_t nextStretch() const;
   std::optional<std::string> gasStep();
+  ParticleStep::Outcome moveParticles(std::int64_t ticks);
   std::optional<std::string> advanceParticles(std::int64_t ticks);
   bool load(StateReader& in);
 };
@@ -189,17 +191,23 @@ std::optional<std::string> Simulation::State::gasStep() {
   return std::nullopt;
 }
 
+ParticleStep::Outcome Simulation::State::moveParticles(std::int64_t ticks) {
+  const double length = tick(scene);
+  if (chosenStep) return chosenStep->advance(static_cast<double>(ticks) * length, *solver);
+  std::optional<DemTrouble> trouble = solver->advance(ticks);
+  const std::int64_t taken = trouble ? trouble->steps : ticks;
+  return {taken, static_cast<double>(taken) * length, trouble};
+}
+
 std::optional<std::string> Simulation::State::advanceParticles(std::int64_t ticks) {
   const DemSeconds before = solver->seconds();
-  const double span = static_cast<double>(ticks) * tick(scene);
-  const std::int64_t n = chosenStep ? chosenStep->divide(span, *solver) : ticks;
-  const std::optional<DemTrouble> trouble = solver->advance(n);
+  const auto [taken, gone, trouble] = moveParticles(ticks);
   const DemSeconds& after = solver->seconds();
   seconds[static_cast<std::size_t>(Stage::neighbours)] += after.neighbours - before.neighbours;
   seconds[static_cast<std::size_t>(Stage::contacts)] += after.contacts - before.contacts;
   seconds[static_cast<std::size_t>(Stage::integrate)] += after.integrate - before.integrate;
-  particleSteps += trouble ? trouble->steps : n;
-  step += trouble ? trouble->steps * ticks / n : ticks;
+  particleSteps += taken;
+  step += trouble ? std::llround(gone / tick(scene)) : ticks;
   report.largestOverlap = solver->largestOverlap();
   report.largestOverlapParticle = solver->largestOverlapParticle();
   if (const auto fastest = solver->fastest(); fastest.speed > report.largestSpeed) {

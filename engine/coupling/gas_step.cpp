@@ -9,7 +9,7 @@ namespace bedmix {
 namespace {
 
 constexpr double courantLimit = 0.5;  // cells that the gas passes in a step
-constexpr double firstShare = 0.1;    // of that, at the start
+constexpr double firstShare = 0.01;   // of that, at the start
 constexpr double growth = 2.0;        // from one step to the next
 constexpr double forgetting = 0.1;    // of a rate that has fallen, in a step
 

@@ -15,7 +15,7 @@ namespace bedmix {
 /// gas takes for half a cell, and at most twice the last one. Chosen from the state of the gas alone.
 class GasStep {
  public:
-  /// Begins with a tenth of what the gas that enters takes for half a cell.
+  /// Begins with a hundredth of what the gas that enters takes for half a cell.
   GasStep(const Scene& scene, const GasSolver& gas);
 
   /// The longest that the coming gas step may be, s.

@@ -23,6 +23,7 @@ constexpr double leastSite = 1.01;   // of a diameter
 constexpr double restSpeed = 1e-3;   // m/s
 constexpr double restTime = 0.02;    // s
 constexpr double longestFall = 3.0;  // s
+constexpr double restError = 0.01;   // of steps that are chosen, at most: with more a bed may not rest
 constexpr double viscosity = 10.0;   // 1/s
 constexpr double glance = 1e-4;      // s, between looks at whether they rest; T where steps are chosen
 
@@ -92,8 +93,8 @@ std::optional<DemTrouble> settle(const Scene& scene, ParticleSolver& solver) {
   const double interval = chosen ? contactTimeScale(scene) : static_cast<double>(given) * scene.time.step;
   double atRest = 0.0;  // s
   for (double time = 0.0; time < longestFall && atRest < restTime; time += interval) {
-    const std::int64_t steps = chosen ? chosen->divide(interval, solver) : given;
-    if (const auto trouble = solver.advance(steps)) return trouble;
+    if (const auto trouble = chosen ? chosen->advance(interval, solver).trouble : solver.advance(given))
+      return trouble;
     double fastest = 0.0;  // square
     for (const Vec2 v : p.velocity) fastest = std::max(fastest, dot(v, v));
     atRest = fastest < restSpeed * restSpeed ? atRest + interval : 0.0;
@@ -126,8 +127,9 @@ Result<Particles> packBed(const Scene& scene, ThreadTeam& team) {
 
   Scene calm = scene;
   if (!scene.time.step.isAutomatic()) calm.time.integrator = Integrator::velocityVerlet;
+  calm.time.error = std::min(calm.time.error, restError);
   const auto solver = ParticleSolver::make(calm, std::move(start), bedWalls(scene), team);
-  if (const auto trouble = settle(scene, *solver))
+  if (const auto trouble = settle(calm, *solver))
     return Diagnostic({},
                       fmt::format("start: while the bed settled, {} of particle {} became {:.3g} ({}); "
                                   "take a smaller time.step or a larger contacts.stiffness",

@@ -19,7 +19,7 @@ class Watched {
   explicit Watched(const Scene& scene) : Watched(scene, test::simulate(scene)) {}
 
   void advance(double seconds) {
-    const double glance = std::max(1e-3, scene_.gas->step);
+    const double glance = std::max<double>(1e-3, scene_.gas->step);
     for (double t = 0.5 * glance; t < seconds; t += glance) {
       go(simulation_, std::llround(glance / scene_.time.step));
       const FramePtr now = frame();
