@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <tuple>
 #include <utility>
 
@@ -103,6 +104,7 @@ std::int64_t ParticleSolver::largestOverlapParticle() const {
 }
 
 double ParticleSolver::closingSpeed(double span) {
+  if (!begun_ && advance(0)) return std::numeric_limits<double>::infinity();
   return bedmix::closingSpeed(bed_, pairLaw_, wallLaw_, fastest_.speed, span);
 }
 

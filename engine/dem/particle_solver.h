@@ -61,8 +61,8 @@ class ParticleSolver {
     double speed = 0.0;
   };
   Fastest fastest() const { return fastest_; }
-  /// The hardest impact, m/s, that is going on or may begin within `span` (s), see closing_speed.h. From the
-  /// first advance() on.
+  /// The hardest impact, m/s, that is going on or may begin within `span` (s), see closing_speed.h; infinite
+  /// where the bed cannot be advanced.
   double closingSpeed(double span);
   /// Touching pairs and wall contacts at the last step.
   std::int64_t contactCount() const;

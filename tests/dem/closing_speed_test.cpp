@@ -99,6 +99,13 @@ TEST_P(ClosingSpeed, OfAContactIsThatOfItsImpact) {
   EXPECT_EQ(pair->closingSpeed(span), 0.0);
 }
 
+TEST_P(ClosingSpeed, IsKnownBeforeTheFirstStep) {
+  const auto waiting = crowd(scene_, 1.01 * scene_.particles.diameter);
+  const double expected = hardestImpact(scene_, waiting->particles());
+  ASSERT_GT(expected, 0.0);
+  EXPECT_NEAR(waiting->closingSpeed(span), expected, 1e-9 * expected);
+}
+
 TEST_P(ClosingSpeed, ThreadsAndAskingChangeNothing) {
   const auto alone = crowd(scene_, 1.01 * scene_.particles.diameter);
   ThreadTeam team(3);
