@@ -53,6 +53,7 @@ int run(int argc, char** argv) {
   addRenderCommand(program, context);
   addSheetCommand(program, context);
   addPlotCommand(program, context);
+  addAccuracyCommand(program, context);
   addCheckCommand(program, context);
   addScenesCommand(program, context);
   addDoctorCommand(program, context);

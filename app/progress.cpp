@@ -22,36 +22,38 @@ std::string clockText(double seconds) {
   return h > 0 ? fmt::format("{}:{:02}:{:02}", h, m, s) : fmt::format("{}:{:02}", m, s);
 }
 
-Progress::Progress(const Console& console, double end) : console_(console), end_(end) {}
-
-Progress::~Progress() {
+ProgressLine::~ProgressLine() {
   if (lineOpen_) std::fputc('\n', stderr);
 }
 
-void Progress::accept(const Frame& frame) {
+void ProgressLine::show(double part, const std::string& text) {
   if (console_.quiet) return;
+  const auto now = Clock::now();
+  const bool atEnd = part >= 1.0 - 1e-9;
+  if (!atEnd && (console_.isTerminal() ? now - shown_ < refresh : part < nextLine_)) return;
+  shown_ = now;
+  nextLine_ = part + 0.1;
+  if (!console_.isTerminal()) return console_.say(text);
+  const auto filled = static_cast<int>(std::min(1.0, part) * barWidth);
+  fmt::print(stderr, "\r\033[K[{:#<{}}{:.<{}}] {}", "", filled, "", barWidth - filled, text);
+  std::fflush(stderr);
+  lineOpen_ = true;
+}
+
+void Progress::accept(const Frame& frame) {
   const auto now = Clock::now();
   if (firstTime_ < 0.0) {
     firstTime_ = frame.time;
     start_ = now;
   }
-  const bool atEnd = frame.time >= end_ * (1.0 - 1e-9);
-  if (console_.isTerminal() ? now - shown_ < refresh && !atEnd : frame.time < nextLine_ && !atEnd) return;
-  shown_ = now;
-  nextLine_ = frame.time + 0.1 * (end_ - firstTime_);
-
   const double wall = std::chrono::duration<double>(now - start_).count();
   const double speed = wall > 0.0 ? (frame.time - firstTime_) / wall : 0.0;
   const double span = end_ - firstTime_;
-  const double part = span > 0.0 ? std::min(1.0, (frame.time - firstTime_) / span) : 1.0;
+  const double part = span > 0.0 ? (frame.time - firstTime_) / span : 1.0;
   std::string text = fmt::format("{:8.3f} s of {:g} s", frame.time, end_);
   if (speed > 0.0)
     text += fmt::format(", {:.3g} simulated s/s, {} left", speed, clockText((end_ - frame.time) / speed));
-  if (!console_.isTerminal()) return console_.say(text);
-  const auto filled = static_cast<int>(part * barWidth);
-  fmt::print(stderr, "\r\033[K[{:#<{}}{:.<{}}] {}", "", filled, "", barWidth - filled, text);
-  std::fflush(stderr);
-  lineOpen_ = true;
+  line_.show(part, text);
 }
 
 }  // namespace bedmix

@@ -9,24 +9,40 @@
 
 namespace bedmix {
 
+/// How far something has come, on stderr: a line with a bar that is rewritten on a terminal, else a line
+/// every tenth of the way. Says nothing where the console is quiet.
+class ProgressLine {
+ public:
+  explicit ProgressLine(const Console& console) : console_(console) {}
+  ~ProgressLine();
+
+  /// `part` from 0 to 1. Shows it where that is due, always at the end.
+  void show(double part, const std::string& text);
+
+ private:
+  using Clock = std::chrono::steady_clock;
+
+  const Console& console_;
+  Clock::time_point shown_;
+  double nextLine_ = 0.0;  // part at which the next plain line is due
+  bool lineOpen_ = false;
+};
+
 /// Says how far frames have come from the first one to `end`: simulated time, speed (simulated s per wall s),
-/// time left. One line that is rewritten on a terminal, else a line every tenth of the run.
+/// time left.
 class Progress final : public FrameSink {
  public:
-  Progress(const Console& console, double end);  // s, simulated
-  ~Progress() override;
+  Progress(const Console& console, double end) : line_(console), end_(end) {}  // s, simulated
 
   void accept(const Frame& frame) override;
 
  private:
   using Clock = std::chrono::steady_clock;
 
-  const Console& console_;
+  ProgressLine line_;
   double end_;
-  Clock::time_point start_, shown_;
+  Clock::time_point start_;
   double firstTime_ = -1.0;
-  double nextLine_ = 0.0;  // simulated s at which the next plain line is due
-  bool lineOpen_ = false;
 };
 
 /// "0:42", "12:05", "3:07:00".

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+#include "app/accuracy/plan.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace bedmix {
+
+namespace {
+
+constexpr int presetRuns = 8, otherRuns = 4, fewestRuns = 4;
+constexpr double shortest = 0.4;  // of the scene's duration
+constexpr double others = 1.25;   // a run takes so much longer beside others than alone
+
+}  // namespace
+
+int StatisticsPlan::seeds(const Design& design, const std::string& setting) const {
+  const bool isPreset =
+      std::find(design.presets.begin(), design.presets.end(), setting) != design.presets.end();
+  return isPreset ? presetSeeds : otherSeeds;
+}
+
+StatisticsPlan planStatistics(const Design& design, const std::map<std::string, double>& costs,
+                              double duration, double interval, double budget, int cores) {
+  StatisticsPlan plan{presetRuns, otherRuns, duration, {}};
+  const auto wall = [&] {
+    double sum = 0.0;
+    for (const std::string& setting : design.statistics)
+      if (const auto cost = costs.find(setting); cost != costs.end())
+        sum += cost->second * plan.duration * plan.seeds(design, setting);
+    return others * sum / cores;
+  };
+  while (wall() > budget && plan.presetSeeds > fewestRuns) --plan.presetSeeds;
+  plan.otherSeeds = std::min(plan.otherSeeds, plan.presetSeeds);
+  if (plan.presetSeeds < presetRuns)
+    plan.dropped.push_back(
+        fmt::format("{} of {} runs of each preset", presetRuns - plan.presetSeeds, presetRuns));
+  while (wall() > budget && 0.9 * plan.duration > shortest * duration)
+    plan.duration = std::max(1.0, std::floor(0.9 * plan.duration / interval)) * interval;
+  if (plan.duration < duration)
+    plan.dropped.push_back(fmt::format("runs end after {:.3g} of {:g} s", plan.duration, duration));
+  if (wall() > budget) {
+    plan.otherSeeds = 0;
+    plan.dropped.emplace_back("statistics of all settings but the presets");
+  }
+  return plan;
+}
+
+}  // namespace bedmix
