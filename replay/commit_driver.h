@@ -17,4 +17,8 @@ namespace bedmix {
 /// The file is locked against a second writer before it is emptied.
 void useCommitDriver(hid_t access);
 
+/// Makes files opened with `access` look as if all went on as with the commit driver, while nothing arrives
+/// in them; what is written is kept in memory.
+void useRehearsalDriver(hid_t access);
+
 }  // namespace bedmix

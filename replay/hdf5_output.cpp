@@ -32,9 +32,13 @@ H5 openFile(const std::filesystem::path& path, Origin origin) {
   // The earliest format is the one that opens again after its writer was killed.
   H5 access(H5Pcreate(H5P_FILE_ACCESS), "set up the file");
   H5Pset_libver_bounds(access, H5F_LIBVER_EARLIEST, H5F_LIBVER_V18);
-  useCommitDriver(access);
-  if (origin == Origin::found) return {H5Fopen(path.c_str(), H5F_ACC_RDWR, access), "open it for writing"};
-  return {H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access), "make the file"};
+  if (origin == Origin::rehearsed)
+    useRehearsalDriver(access);
+  else
+    useCommitDriver(access);
+  if (origin == Origin::made)
+    return {H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access), "make the file"};
+  return {H5Fopen(path.c_str(), H5F_ACC_RDWR, access), "open it for writing"};
 }
 
 /// A dataset of so many dimensions that can grow along the first.
@@ -76,8 +80,8 @@ H5 openSeries(hid_t file, const std::string& path, hid_t type, const std::vector
     extent.push_back(n);
     chunk.push_back(std::max<hsize_t>(n, 1));
   }
-  return origin == Origin::found ? findGrowing(file, path, extent)
-                                 : createGrowing(file, path, type, extent, chunk);
+  return origin == Origin::made ? createGrowing(file, path, type, extent, chunk)
+                                : findGrowing(file, path, extent);
 }
 
 }  // namespace
@@ -130,8 +134,8 @@ void TimeSeries::cut(hsize_t rows) {
 
 ByteStore::ByteStore(hid_t file, std::string path, hsize_t chunk, Origin origin)
     : path_(std::move(path)),
-      dataset_(origin == Origin::found ? findGrowing(file, path_, {0})
-                                       : createGrowing(file, path_, H5T_STD_U8LE, {0}, {chunk})) {}
+      dataset_(origin == Origin::made ? createGrowing(file, path_, H5T_STD_U8LE, {0}, {chunk})
+                                      : findGrowing(file, path_, {0})) {}
 
 void ByteStore::write(std::span<const std::byte> bytes) {
   const hsize_t start = 0, count = bytes.size();

@@ -12,8 +12,9 @@
 
 namespace bedmix {
 
-/// Whether a file or what stands in it is made anew or there already.
-enum class Origin { made, found };
+/// Whether a file and what stands in it is made anew; or is there already; or is there, and stays as it is
+/// whatever is written.
+enum class Origin { made, found, rehearsed };
 
 /// One dataset that grows by a row a frame. Chunks are whole rows, so that a row is written once.
 class TimeSeries {
@@ -28,6 +29,7 @@ class TimeSeries {
   bool holds(hsize_t index, std::span<const std::byte> row) const;
   /// Leaves no more than the first `rows`.
   void cut(hsize_t rows);
+  std::size_t rowBytes() const { return rowBytes_; }
 
  private:
   /// Row `index` as HDF5 wants it told.

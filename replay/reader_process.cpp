@@ -3,11 +3,10 @@
 
 #include "engine/core/gas_grid.h"
 #include "engine/core/scene_reader.h"
+#include "replay/contained_hdf5.h"
 #include "replay/file_trouble.h"
 #include "replay/trajectory_layout.h"
 
-#include <functional>
-#include <new>
 #include <string>
 
 namespace bedmix {
@@ -31,28 +30,6 @@ Result<Scene> parse(const SceneText& scene, const std::filesystem::path& file) {
   for (Diagnostic& problem : parsed.problems) problem.trouble = Trouble::file;
   if (parsed) parsed->name = scene.name;
   return parsed;
-}
-
-/// What is wrong with what is read, for the parent.
-std::string troubleOf(const std::function<void()>& read) {
-  try {
-    read();
-    return "";
-  } catch (const std::bad_alloc&) {
-    return "asks for more memory than a file of its size can need; copy it once more from where it was "
-           "recorded";
-  } catch (const std::exception& e) {
-    return e.what();
-  }
-}
-
-/// What a request of an honest file needs a fraction of.
-std::chrono::seconds enoughComputing(const std::filesystem::path& file) {
-  constexpr std::uintmax_t bytesPerSecond = 20'000'000;
-  return std::chrono::seconds(5 + std::filesystem::file_size(file) / bytesPerSecond);
-}
-std::uintmax_t enoughMemory(const std::filesystem::path& file) {
-  return 256'000'000 + 4 * std::filesystem::file_size(file);
 }
 
 void putConstants(Channel& to, const RunConstants& constants) {
@@ -110,8 +87,7 @@ float* half(const SharedMemory& memory, std::size_t which, std::size_t numbers) 
 
 /// All that the child does.
 void serve(Channel& parent, const SharedMemory& memory, const std::filesystem::path& file) {
-  ChildProcess::allowMemory(enoughMemory(file));
-  ChildProcess::allowComputing(enoughComputing(file));
+  allowWorkOn(file);
   std::optional<Hdf5Input> in;
   SceneText text;
   std::string trouble = troubleOf([&] { text = readSceneText(in.emplace(file)); });
@@ -130,7 +106,7 @@ void serve(Channel& parent, const SharedMemory& memory, const std::filesystem::p
   const std::size_t numbers = numbersPerFrame(*scene);
   for (;;) {
     const auto request = parent.get<Request>();
-    ChildProcess::allowComputing(enoughComputing(file));
+    allowWorkOn(file);
     if (request.wanted == Wanted::checkpoint) {
       parent.putAll(trajectory->checkpoint(request.index));
       continue;

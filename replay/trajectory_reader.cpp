@@ -2,6 +2,7 @@
 #include "replay/trajectory_reader.h"
 
 #include "engine/core/scene_reader.h"
+#include "replay/contained_hdf5.h"
 #include "replay/file_trouble.h"
 #include "replay/reader_process.h"
 #include "replay/trajectory_layout.h"
@@ -55,10 +56,7 @@ Result<TrajectoryReader> TrajectoryReader::open(const std::filesystem::path& pat
       if (!run) return std::move(run.problems);
       return TrajectoryReader(std::make_unique<State>(file, std::move(process), std::move(*run)));
     } catch (const ChannelClosed&) {
-      return fileTrouble(file,
-                         fmt::format("is damaged: the HDF5 library fails on it ({}); copy it once more from "
-                                     "where it was recorded",
-                                     process.end()));
+      return fileTrouble(file, damageShownBy(process.end()));
     }
   } catch (const std::system_error& e) {
     return fileTrouble(file, e.what());

@@ -4,6 +4,8 @@
 #include "engine/core/bed_statistics.h"
 #include "engine/core/mixing.h"
 #include "engine/core/scene_reader.h"
+#include "replay/child_process.h"
+#include "replay/contained_hdf5.h"
 #include "replay/file_trouble.h"
 #include "replay/hdf5_output.h"
 #include "replay/trajectory_layout.h"
@@ -12,6 +14,7 @@
 #include <array>
 #include <functional>
 #include <limits>
+#include <stdexcept>
 
 namespace bedmix {
 
@@ -92,16 +95,12 @@ struct TrajectoryWriter::State {
   std::vector<std::int32_t> id;
   hsize_t frames = 0, found = 0;  // accepted, and there; the latter may be more where a run is resumed
 
-  /// Makes the file, or goes on with the one that is there where no provenance is given.
-  State(const std::filesystem::path& file, const Scene& s, const Provenance* provenance)
-      : path(file),
-        scene(s),
-        sampling(samplingGrid(s)),
-        out(file, provenance ? Origin::made : Origin::found),
-        origin(provenance ? Origin::made : Origin::found) {
+  /// The provenance is needed where the file is made.
+  State(const std::filesystem::path& file, const Scene& s, Origin from, const Provenance& provenance = {})
+      : path(file), scene(s), sampling(samplingGrid(s)), out(file, from), origin(from) {
     if (scene.gas) grid = makeGasGrid(scene);
-    if (provenance) {
-      writeHeader(out, scene, *provenance);
+    if (origin == Origin::made) {
+      writeHeader(out, scene, provenance);
       if (grid) writeGasGrid(out, *grid);
     } else {
       out.replaceText(layout::scene, writeScene(scene));
@@ -180,6 +179,25 @@ struct TrajectoryWriter::State {
     nextCheckpoint = 1 - sound;
   }
 
+  /// Reads all that may be compared or cut, and writes once where the run will write.
+  void rehearse() {
+    for (hsize_t i = frames; i < found; ++i) {
+      for (const Element& e : elements) e.value.holds(i, {});
+      time->holds(i, {});
+      step->holds(i, {});
+    }
+    cut(frames);
+    const auto append = [this](TimeSeries& series) {
+      const std::vector<std::byte> nothing(series.rowBytes());
+      for (const hsize_t row : {frames, frames + 1}) series.append(row, nothing);
+    };
+    for (Element& e : elements) append(e.value);
+    append(*time);
+    append(*step);
+    for (ByteStore& checkpoint : checkpoints) checkpoint.write(std::array<std::byte, 1>{});
+    out.flush();
+  }
+
   bool isThere(const Frame& frame) const {
     return step->holds(frames, bytes(frame.step)) && time->holds(frames, bytes(frame.time)) &&
            std::all_of(elements.begin(), elements.end(),
@@ -238,19 +256,38 @@ struct TrajectoryWriter::State {
 Result<TrajectoryWriter> TrajectoryWriter::create(const std::filesystem::path& path, const Scene& scene,
                                                   const Provenance& provenance) {
   try {
-    return TrajectoryWriter(std::make_unique<State>(path, scene, &provenance));
+    return TrajectoryWriter(std::make_unique<State>(path, scene, Origin::made, provenance));
   } catch (const Hdf5Error& e) {
     return fileTrouble(path, e.what());
+  }
+}
+
+void TrajectoryWriter::rehearseResume(const std::filesystem::path& path, const Scene& scene,
+                                      std::size_t frames, std::size_t sound) {
+  ChildProcess child([&](Channel& parent) {
+    allowWorkOn(path);
+    parent.putAll(troubleOf([&] {
+      State state(path, scene, Origin::rehearsed);
+      state.resume(frames, sound);
+      state.rehearse();
+    }));
+  });
+  try {
+    const auto trouble = child.channel().getAll<std::string>();
+    if (!trouble.empty()) throw Hdf5Error(trouble);
+  } catch (const ChannelClosed&) {
+    throw Hdf5Error(damageShownBy(child.end()));
   }
 }
 
 Result<TrajectoryWriter> TrajectoryWriter::resume(const std::filesystem::path& path, const Scene& scene,
                                                   std::size_t frames, std::size_t sound) {
   try {
-    auto state = std::make_unique<State>(path, scene, nullptr);
+    rehearseResume(path, scene, frames, sound);
+    auto state = std::make_unique<State>(path, scene, Origin::found);
     state->resume(frames, sound);
     return TrajectoryWriter(std::move(state));
-  } catch (const Hdf5Error& e) {
+  } catch (const std::runtime_error& e) {
     return fileTrouble(path, e.what());
   }
 }

@@ -24,7 +24,8 @@ class TrajectoryWriter final : public FileSink {
   /// Goes on with the file of a run of that scene, or of one that differs in its duration alone, after the
   /// first `frames` of its frames, of which there must be as many. Later ones stay as long as what is
   /// accepted is the same to the bit, and are all taken out where it is not. `sound` is the checkpoint not to
-  /// be replaced by the next.
+  /// be replaced by the next. A file on which HDF5 fails is refused and stays as it is: all that will be done
+  /// to it is rehearsed in a process of its own.
   static Result<TrajectoryWriter> resume(const std::filesystem::path& path, const Scene& scene,
                                          std::size_t frames, std::size_t sound);
   ~TrajectoryWriter() override;
@@ -40,6 +41,8 @@ class TrajectoryWriter final : public FileSink {
  private:
   struct State;
   explicit TrajectoryWriter(std::unique_ptr<State> state);
+  static void rehearseResume(const std::filesystem::path& path, const Scene& scene, std::size_t frames,
+                             std::size_t sound);
   std::optional<Diagnostic> write(const Frame& frame) override;
   template <class Action>
   std::optional<Diagnostic> attempt(Action&& action);

@@ -11,7 +11,7 @@
 #include <iterator>
 #include <unistd.h>
 
-// Trajectories: opened, and all read that is in them.
+// Trajectories: opened, all read that is in them, and gone on with.
 
 namespace {
 
@@ -52,6 +52,19 @@ std::string recordedRun(bool effects) {
   return {std::istreambuf_iterator<char>(in), {}};
 }
 
+/// Goes on with the run after its frame before the last one, with other frames than were there.
+void requireSoundResume(const Scene& scene, Frame frame, std::size_t frames) {
+  auto writer = TrajectoryWriter::resume(temporaryPath(), scene, frames, 0);
+  if (!writer) return require(!writer.problems.front().message.empty(), "a refusal has a reason");
+  for (int i = 0; i < 2; ++i) {
+    ++frame.step;
+    frame.time += 1.0;
+    writer->accept(frame);
+    writer->keep(std::vector<std::byte>(5000));
+  }
+  writer->finish();
+}
+
 }  // namespace
 
 namespace bedmix::fuzz {
@@ -76,7 +89,12 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   reader->provenance();
   reader->checkpoints();
   std::size_t frames = 0;
-  for (; const FramePtr frame = reader->next(); ++frames) requireFinite(*frame);
+  FramePtr last;
+  for (; const FramePtr frame = reader->next(); ++frames) {
+    requireFinite(*frame);
+    last = frame;
+  }
   require(frames == reader->times().size() || reader->failure(), "a frame that is missing has a reason");
+  if (last) requireSoundResume(reader->scene(), *last, frames - 1);
   return 0;
 }

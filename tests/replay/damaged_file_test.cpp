@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "replay/trajectory_reader.h"
+#include "replay/trajectory_writer.h"
 #include "tests/replay/synthetic.h"
 
 #include <gtest/gtest.h>
@@ -63,7 +64,7 @@ TEST_F(DamagedFile, FreeListOfAGroupWithoutEnd) {
   EXPECT_NE(toString(reader.problems.front()).find("trajectory.h5: "), std::string::npos);
 }
 
-TEST_F(DamagedFile, ChunksOfNoSize) {
+TEST_F(DamagedFile, ChunksWithoutDimensions) {
   damage([](std::string& bytes) {
     // Layout of a list of bytes in chunks: version, kind, dimensions; the index's address; extents of a chunk
     using namespace std::string_view_literals;
@@ -72,7 +73,7 @@ TEST_F(DamagedFile, ChunksOfNoSize) {
     for (std::size_t at = bytes.find(begin); at != std::string::npos; at = bytes.find(begin, at + 1)) {
       const std::size_t extents = at + begin.size() + sizeof(std::uint64_t);
       if (bytes.compare(extents, chunk.size(), chunk) != 0) continue;
-      setNumber(bytes, extents, std::uint32_t{0});
+      bytes[at + 2] = 0;
       ++spoiled;
     }
     ASSERT_EQ(spoiled, 2);
@@ -81,6 +82,14 @@ TEST_F(DamagedFile, ChunksOfNoSize) {
   ASSERT_TRUE(reader) << toString(reader.problems.front());
   for (const auto& checkpoint : reader->checkpoints()) EXPECT_TRUE(checkpoint.empty());
   EXPECT_EQ(playBack(path_, scene_).frames, 3u);
+
+  const std::string before = fileText(path_);
+  const auto writer = TrajectoryWriter::resume(path_, scene_, 2, 0);
+  ASSERT_FALSE(writer);
+  EXPECT_EQ(writer.problems.front().trouble, Trouble::file);
+  EXPECT_NE(writer.problems.front().message.find("HDF5 library fails on it"), std::string::npos)
+      << writer.problems.front().message;
+  EXPECT_EQ(fileText(path_), before);
 }
 
 TEST_F(DamagedFile, AnEndOfTheProcessThatReadsIsMadeGood) {
