@@ -5,6 +5,7 @@
 #include <cerrno>
 #include <csignal>
 #include <fstream>
+#include <new>
 #include <string.h>  // NOLINT: sigabbrev_np
 #include <sys/resource.h>
 #include <sys/socket.h>
@@ -24,6 +25,8 @@ void limit(decltype(RLIMIT_CPU) what, rlim_t most) {
   setrlimit(what, &allowed);
 }
 
+constexpr int outOfMemory = 12;  // exit status
+
 /// Leaves by _exit: buffers and files that are open here are the parent's.
 [[noreturn]] void run(const ChildProcess::Work& task, int socket) {
   constexpr int first = 3;
@@ -36,6 +39,8 @@ void limit(decltype(RLIMIT_CPU) what, rlim_t most) {
     Channel parent(first);
     task(parent);
   } catch (const ChannelClosed&) {  // the parent needs no more
+  } catch (const std::bad_alloc&) {
+    _exit(outOfMemory);
   } catch (...) {
     _exit(1);
   }
@@ -75,6 +80,7 @@ std::string ChildProcess::end() {
   int status = 0;
   while (waitpid(id_, &status, 0) < 0 && errno == EINTR) continue;
   id_ = -1;
+  if (WIFEXITED(status) && WEXITSTATUS(status) == outOfMemory) return "it asks for ever more memory";
   if (!WIFSIGNALED(status)) return "exit status " + std::to_string(WEXITSTATUS(status));
   if (WTERMSIG(status) == SIGXCPU) return "it computes without end";
   const char* name = sigabbrev_np(WTERMSIG(status));

@@ -10,6 +10,7 @@
 #include <cstdlib>
 #include <ctime>
 #include <fcntl.h>
+#include <new>
 #include <stdexcept>
 #include <string>
 #include <sys/file.h>
@@ -40,6 +41,7 @@ TEST(ChildProcess, AnswersWhatItIsAsked) {
 TEST(ChildProcess, TellsWhyItEnds) {
   EXPECT_EQ(endOf([](Channel&) {}), "exit status 0");
   EXPECT_EQ(endOf([](Channel&) { throw std::runtime_error("trouble"); }), "exit status 1");
+  EXPECT_EQ(endOf([](Channel&) { throw std::bad_alloc(); }), "it asks for ever more memory");
   EXPECT_EQ(endOf([](Channel&) { raise(SIGKILL); }), "SIGKILL");
 }
 
