@@ -47,6 +47,8 @@ class Law {
         friction_(hn::Set(d_, kernel.law.friction)),
         halfStep_(hn::Set(d_, kernel.halfStep)),
         pull_(hn::Set(d_, onset ? kernel.halfStep * kernel.law.stiffness / kernel.law.mass : 0.0)),
+        tangentialPull_(hn::Set(
+            d_, onset ? kernel.halfStep * kernel.law.tangentialStiffness / kernel.law.tangentialMass : 0.0)),
         radius_(hn::Set(d_, kernel.radius)),
         closest2_(reach2_) {}
 
@@ -140,16 +142,18 @@ class Law {
     return force;
   }
 
-  /// The spring grows only in the part of the window in which they touch, and ends with a contact that does.
-  /// Stored is what it would be in the middle of the window if it had grown through all of it.
+  /// The dashpot's slip is rid of its lag like the rate above. The spring grows only in the part of the
+  /// window in which they touch, and ends with a contact that does. Stored is what it would be in the middle
+  /// of the window if it had grown through all of it.
   HWY_INLINE V rubInWindow(const Window& window, V slip, V limit, M acting, std::size_t at,
                            const Tangential& t) const {
     const V way = hn::Mul(halfStep_, slip);
     const V first = hn::Add(hn::LoadU(d_, t.spring + at), hn::Mul(halfStep_, hn::LoadU(d_, t.slip + at)));
     const V grown = hn::Mul(window.share, way);
-    const V stick =
-        hn::Neg(hn::Mul(window.share, hn::Add(hn::Mul(tangentialStiffness_, hn::Add(first, grown)),
-                                              hn::Mul(tangentialDamping_, slip))));
+    const V mean = hn::Mul(window.share, hn::Add(first, grown));
+    const V rate = hn::Add(slip, hn::Mul(tangentialPull_, hn::Sub(hn::LoadU(d_, t.spring + at), mean)));
+    const V stick = hn::Neg(hn::Add(hn::Mul(tangentialStiffness_, mean),
+                                    hn::Mul(hn::Mul(tangentialDamping_, window.share), rate)));
     const V force = clamp(stick, limit);
     const V last = hn::Add(first, hn::Sub(hn::Add(grown, grown), way));
     const V slid =
@@ -163,7 +167,7 @@ class Law {
 
   D d_;
   V reach_, reach2_, stiffness_, damping_, tangentialStiffness_, perStiffness_, tangentialDamping_, friction_;
-  V halfStep_, pull_, radius_, closest2_;
+  V halfStep_, pull_, tangentialPull_, radius_, closest2_;
   std::size_t count_ = 0;
 };
 

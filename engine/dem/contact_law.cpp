@@ -8,6 +8,7 @@ namespace {
 SpringDashpot contactLaw(const Scene& scene, double mass, double reach, double damping) {
   SpringDashpot law;
   law.mass = mass;
+  law.tangentialMass = 2.0 / 7.0 * mass;  // a sphere's inertia is 2/5 m r^2
   law.reach = reach;
   law.stiffness = scene.contacts.stiffness;
   law.damping = damping;

@@ -9,6 +9,7 @@ namespace bedmix {
 /// constants are unused without friction.
 struct SpringDashpot {
   double mass = 0.0;                 // kg, that the spring swings: reduced, of two; of one at a wall
+  double tangentialMass = 0.0;       // kg, that the tangential spring swings, with what turns
   double reach = 0.0;                // m, distance of the centre from the other's centre or the wall at touch
   double stiffness = 0.0;            // N/m
   double damping = 0.0;              // kg/s

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "tests/dem/integrators.h"
 #include "tests/dem/small_beds.h"
 
 #include <gtest/gtest.h>
@@ -84,8 +85,10 @@ TEST_P(Friction, ObliqueImpactThatSticks) {
   constexpr double vx = 0.15, vy = 0.2;  // 2/7 vx/vy < mu
   const Particles p = bounce(vx, vy);
   const double expected = vx - 2.0 / 7.0 * 1.9 * vx;
-  EXPECT_NEAR(p.velocity[0].x, expected, 1e-3 * vx);
-  EXPECT_NEAR(p.velocity[0].x + r * p.spin[0], -0.9 * vx, 2e-3 * vx);
+  // Euler's slip is of first order, w dt = 6e-3 here.
+  const double allowed = GetParam() == Integrator::symplecticEuler ? 6e-3 * vx : 1e-3 * vx;
+  EXPECT_NEAR(p.velocity[0].x, expected, allowed);
+  EXPECT_NEAR(p.velocity[0].x + r * p.spin[0], -0.9 * vx, 2.0 * allowed);
 }
 
 // Any other spring: half a normal period is a part of the tangential one, impulse m_t v (1 - cos(w_t t_c)).
@@ -116,7 +119,9 @@ TEST_P(Friction, OrderWithinAContactThatSticks) {
     return std::abs(solver->particles().velocity[0].x + r * solver->particles().spin[0] -
                     exact.velocityAt(time));
   };
-  const double order = GetParam() == Integrator::rk4 ? 4.0 : 2.0;
+  const double order = GetParam() == Integrator::rk4               ? 4.0
+                       : GetParam() == Integrator::symplecticEuler ? 1.0
+                                                                   : 2.0;
   for (const int steps : {8, 16}) {
     const double measured = std::log2(error(steps) / error(2 * steps));
     EXPECT_NEAR(measured, order, 0.15) << steps << " steps";
@@ -139,10 +144,7 @@ TEST_P(Friction, ObliquePairThatSticks) {
   EXPECT_DOUBLE_EQ(after.spin[0], after.spin[1]);
 }
 
-INSTANTIATE_TEST_SUITE_P(Integrators, Friction, testing::Values(Integrator::velocityVerlet, Integrator::rk4),
-                         [](const auto& tried) {
-                           return tried.param == Integrator::rk4 ? "rk4" : "velocityVerlet";
-                         });
+INSTANTIATE_TEST_SUITE_P(Integrators, Friction, eachIntegrator(), nameOfIntegrator);
 
 }  // namespace
 }  // namespace bedmix

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "tests/dem/integrators.h"
 #include "tests/dem/small_beds.h"
 
 #include <gtest/gtest.h>
@@ -85,56 +86,7 @@ TEST_P(Restitution, ContactLastsHalfAPeriod) {
   EXPECT_NEAR(static_cast<double>(touching) * scene_.time.step, pi / contact.frequency(), 2e-6);
 }
 
-// Within a contact the forces are smooth, and the integrators show their orders.
-TEST_P(Restitution, OrderWithinAContact) {
-  constexpr double overlap = 5e-5, speed = 0.2, time = 1.6e-4;
-  const DampedOscillator exact{particleMass(scene_) / 2.0, 2000.0, pairDamping(scene_), overlap, speed};
-  const auto error = [&](int steps) {
-    scene_.time.step = time / steps;
-    const auto solver = headOn(scene_, -overlap, speed);
-    EXPECT_FALSE(solver->advance(steps));
-    EXPECT_EQ(solver->contactCount(), 1);
-    const Particles& p = solver->particles();
-    const double depth = scene_.particles.diameter - norm(p.position[1] - p.position[0]);
-    return std::max(std::abs(depth - exact.displacementAt(time)) * exact.frequency(),
-                    std::abs(-parting(solver->particles()) - exact.velocityAt(time)));
-  };
-  const double order = GetParam() == Integrator::rk4 ? 4.0 : 2.0;
-  for (const int steps : {8, 16}) {
-    const double measured = std::log2(error(steps) / error(2 * steps));
-    EXPECT_NEAR(measured, order, 0.1) << steps << " steps";
-  }
-}
-
-// Root mean square error of the restitution over the phases of a step at which collisions begin and end; the
-// steps differ a little from each other so that both phases take all values.
-double reboundError(Scene scene, double step) {
-  constexpr int collisions = 200;
-  double sum = 0.0;
-  for (int c = 0; c < collisions; ++c) {
-    const double begin = std::fmod(0.6180339887 * c, 1.0), end = (c + 0.5) / collisions;
-    scene.time.step = step * (0.9 + 0.2 * end);
-    const double e = pairRebound(scene, 0.2 * scene.time.step * begin + 1e-12);
-    sum += (e - 0.9) * (e - 0.9);
-  }
-  return std::sqrt(sum / collisions);
-}
-
-// Contacts begin and end inside a step, where the dashpot's force jumps: a whole collision is of first order
-// with either integrator.
-TEST_P(Restitution, OrderOverAWholeCollision) {
-  const double coarse = reboundError(scene_, 1e-5), middle = reboundError(scene_, 2.5e-6);
-  const double fine = reboundError(scene_, 6.25e-7);
-  RecordProperty("rms_error_at_10us", std::to_string(coarse));
-  EXPECT_NEAR(0.5 * std::log2(coarse / middle), 1.0, 0.1);
-  EXPECT_NEAR(0.5 * std::log2(middle / fine), 1.0, 0.1);
-  EXPECT_LT(coarse, 0.003);
-}
-
-INSTANTIATE_TEST_SUITE_P(Integrators, Restitution,
-                         testing::Values(Integrator::velocityVerlet, Integrator::rk4), [](const auto& tried) {
-                           return tried.param == Integrator::rk4 ? "rk4" : "velocityVerlet";
-                         });
+INSTANTIATE_TEST_SUITE_P(Integrators, Restitution, eachIntegrator(), nameOfIntegrator);
 
 }  // namespace
 }  // namespace bedmix

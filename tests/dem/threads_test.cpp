@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "engine/core/rng.h"
 #include "engine/core/simd.h"
+#include "tests/dem/integrators.h"
 #include "tests/dem/small_beds.h"
 
 #include <gtest/gtest.h>
@@ -17,8 +18,9 @@ using Hashes = std::array<std::uint64_t, checkpoints>;
 
 /// Five thousand rough spheres in a box, close packed with gaps and thrown at each other: several blocks,
 /// contacts across them, at walls, and lists made anew.
-Hashes advanceCrowd(ThreadTeam& team) {
+Hashes advanceCrowd(Integrator integrator, ThreadTeam& team = oneThread()) {
   Scene scene = smoothSpheres();
+  scene.time.integrator = integrator;
   scene.gravity = 9.81;
   scene.contacts.friction = FrictionSettings{};
   scene.limits.maxOverlap = 0.4;
@@ -44,24 +46,32 @@ Hashes advanceCrowd(ThreadTeam& team) {
   return hashes;
 }
 
-TEST(DemDeterminism, ThreadsChangeNoBit) {
-  const Hashes one = advanceCrowd(oneThread());
+class DemDeterminism : public testing::TestWithParam<Integrator> {};
+
+TEST_P(DemDeterminism, ThreadsChangeNoBit) {
+  const Hashes one = advanceCrowd(GetParam());
   for (const int threads : {2, 3, 4, 8}) {
     ThreadTeam team(threads);
-    EXPECT_EQ(advanceCrowd(team), one) << threads << " threads";
+    EXPECT_EQ(advanceCrowd(GetParam(), team), one) << threads << " threads";
   }
 }
 
-TEST(DemDeterminism, SimdLevelsChangeNoBit) {
+TEST_P(DemDeterminism, SimdLevelsChangeNoBit) {
   const SimdLevel before = simdLevel();
   ASSERT_TRUE(useSimdLevel(SimdLevel::baseline));
-  const Hashes baseline = advanceCrowd(oneThread());
+  const Hashes baseline = advanceCrowd(GetParam());
   for (const SimdLevel level : {SimdLevel::avx2, SimdLevel::avx512})
     if (useSimdLevel(level)) {
-      EXPECT_EQ(advanceCrowd(oneThread()), baseline) << simdLevelNames()[static_cast<std::size_t>(level)];
+      EXPECT_EQ(advanceCrowd(GetParam()), baseline) << simdLevelNames()[static_cast<std::size_t>(level)];
     }
   ASSERT_TRUE(useSimdLevel(before));
 }
+
+// RK4 runs on one thread, in the same loops.
+INSTANTIATE_TEST_SUITE_P(Integrators, DemDeterminism,
+                         testing::Values(Integrator::velocityVerlet, Integrator::symplecticEuler,
+                                         Integrator::verletOnset),
+                         nameOfIntegrator);
 
 }  // namespace
 }  // namespace bedmix
