@@ -1,16 +1,19 @@
 // SPDX-License-Identifier: MIT
 #include "app/interrupt.h"
 
+#include <atomic>
 #include <csignal>
 
 namespace bedmix {
 
 namespace {
 
-volatile std::sig_atomic_t stop = 0, checkpoint = 0;
+// Any thread may be the one that a signal interrupts.
+std::atomic<bool> stop = false, checkpoint = false;
+static_assert(std::atomic<bool>::is_always_lock_free, "signal handlers may write nothing else");
 
-extern "C" void noteStop(int) { stop = 1; }
-extern "C" void noteCheckpoint(int) { checkpoint = 1; }
+extern "C" void noteStop(int) { stop = true; }
+extern "C" void noteCheckpoint(int) { checkpoint = true; }
 
 }  // namespace
 
@@ -25,12 +28,8 @@ void catchInterrupts() {
   sigaction(SIGUSR1, &action, nullptr);
 }
 
-bool stopRequested() { return stop != 0; }
+bool stopRequested() { return stop; }
 
-bool checkpointRequested() {
-  const bool requested = checkpoint != 0;
-  checkpoint = 0;
-  return requested;
-}
+bool checkpointRequested() { return checkpoint.exchange(false); }
 
 }  // namespace bedmix

@@ -6,6 +6,7 @@
 #include <fcntl.h>
 #include <fstream>
 #include <sstream>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <tuple>
 #include <unistd.h>
@@ -61,6 +62,11 @@ bool Program::waitForMessage(const std::string& text) {
 }
 
 void Program::send(int signal) const { kill(pid_, signal); }
+
+void Program::fillDisk(std::uint64_t bytes) const {
+  const rlimit limit{bytes, bytes};
+  if (prlimit(pid_, RLIMIT_FSIZE, &limit, nullptr) != 0) std::abort();
+}
 
 Outcome Program::wait() {
   char buffer[4096];

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdint>
 #include <filesystem>
 #include <memory>
 #include <string>
@@ -27,6 +28,8 @@ class Program {
   /// Waits until `text` has been said on stderr; false where the program ends before.
   bool waitForMessage(const std::string& text);
   void send(int signal) const;
+  /// From now on none of its files may grow beyond `bytes`, as on a disk that is full.
+  void fillDisk(std::uint64_t bytes) const;
   Outcome wait();
 
  private:

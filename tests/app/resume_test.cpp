@@ -172,11 +172,15 @@ TEST_F(FaultsResume, DamagedCheckpointIsRefusedAndTheOlderOneUsed) {
 }
 
 TEST_F(FaultsResume, FullDiskThenRoomGoesOn) {
-  ASSERT_EQ(runTiny("whole", "1").exitCode, 0);
-  const Outcome full = shell("ulimit -f 200; exec \"$BEDMIX\" run tiny --until 1 -o r --checkpoint 0");
+  const auto run = start({"run", "tiny", "-o", "r", "--until", "1000", "--checkpoint", "0"});
+  ASSERT_TRUE(run->waitForMessage("0.000 s of 1000 s"));
+  run->fillDisk(200 << 10);
+  const Outcome full = run->wait();
   ASSERT_EQ(full.exitCode, 4) << full.err;
-  const Outcome rest = runTiny("r", "1", {"--resume"});
+  const std::string until = std::to_string(framesOf("r").back()->time + 0.2);
+  const Outcome rest = runTiny("r", until, {"--resume"});
   ASSERT_EQ(rest.exitCode, 0) << rest.err;
+  ASSERT_EQ(runTiny("whole", until).exitCode, 0);
   expectSameRun("r", "whole");
 }
 
