@@ -5,7 +5,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
-#include <limits>
 #include <span>
 #include <type_traits>
 #include <utility>
@@ -47,8 +46,8 @@ class StateWriter {
 
 /// Reads it back from bytes that may be anything. What it fills must have its size already, which follows
 /// from the scene: nothing is ever allocated because the bytes say so. All return false where the bytes end,
-/// hold another number of values, or a double that is not finite or beyond what a frame can hold; then the
-/// rest means nothing.
+/// hold another number of values, or a double that is not finite or so large that a frame, which holds
+/// floats, might not hold it some steps later; then the rest means nothing.
 class StateReader {
  public:
   explicit StateReader(std::span<const std::byte> bytes) : rest_(bytes) {}
@@ -77,10 +76,11 @@ class StateReader {
     std::memcpy(values.data(), rest_.data(), values.size_bytes());
     rest_ = rest_.subspan(values.size_bytes());
     if constexpr (!std::is_integral_v<T>) {
+      constexpr double most = 1e30;
       static_assert(std::is_trivially_copyable_v<T> && sizeof(T) % sizeof(double) == 0);
       const auto* numbers = reinterpret_cast<const double*>(values.data());
       for (std::size_t i = 0; i < values.size_bytes() / sizeof(double); ++i)
-        if (!(std::abs(numbers[i]) <= std::numeric_limits<float>::max())) return false;
+        if (!(std::abs(numbers[i]) <= most)) return false;
     }
     return true;
   }

@@ -7,13 +7,13 @@
 
 #include <cerrno>
 #include <csignal>
-#include <cstdlib>
 #include <ctime>
 #include <fcntl.h>
 #include <new>
 #include <stdexcept>
 #include <string>
 #include <sys/file.h>
+#include <sys/mman.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -67,9 +67,8 @@ TEST(ChildProcess, MayBeAllowedToComputeOn) {
 TEST(ChildProcess, TakesNoMoreMemoryThanItIsAllowed) {
   ChildProcess child([](Channel& parent) {
     const auto canTake = [](std::size_t size) {
-      void* const taken = std::malloc(size);
-      std::free(taken);
-      return taken != nullptr;
+      void* const taken = mmap(nullptr, size, PROT_NONE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
+      return taken != MAP_FAILED && munmap(taken, size) == 0;
     };
     ChildProcess::allowMemory(100'000'000);
     parent.put(canTake(50'000'000));
