@@ -166,8 +166,9 @@ bool RungeKutta4::renewLists(BedState& bed) {
   ContactList& lists = bed.contacts;
   bed.placeBodies();
   bed.budget.outer = lists.remainder(lists.displacements({0, bed.bodies.size()}, bed.bodies));
-  if (bed.budget.outer < 0.0) return rebuild(bed);
-  bed.budget.inner = lists.innerSkin(0.0);
+  const double way = bed.step * largestNorm(bed.particles.velocity);
+  if (bed.budget.outer < 2.0 * way) return rebuild(bed);
+  bed.budget.inner = lists.innerSkin(way);
   for (std::size_t b = 0; b < lists.blocks(); ++b) lists.refresh(b, bed.budget.inner, bed.bodies, spare_);
   fitHistory(bed);
   return true;
@@ -176,7 +177,7 @@ bool RungeKutta4::renewLists(BedState& bed) {
 bool RungeKutta4::rebuild(BedState& bed) {
   if (!bed.sort()) return false;
   ContactList& lists = bed.contacts;
-  bed.budget = lists.fullBudget(0.0);
+  bed.budget = lists.fullBudget(bed.step * largestNorm(bed.particles.velocity));
   for (std::size_t b = 0; b < lists.blocks(); ++b) lists.find(b, bed.budget.inner, bed.bodies, spare_);
   lists.link();
   fitHistory(bed);

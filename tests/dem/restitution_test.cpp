@@ -86,6 +86,29 @@ TEST_P(Restitution, ContactLastsHalfAPeriod) {
   EXPECT_NEAR(static_cast<double>(touching) * scene_.time.step, pi / contact.frequency(), 2e-6);
 }
 
+// The law is linear. A sphere that goes a tenth of a diameter in a step must be in the lists before it
+// pushes, which verlet-onset has it do up to half a step before it touches.
+TEST_P(Restitution, IsTheSameAtAnySpeed) {
+  scene_.limits.maxOverlap = 0.5;
+  scene_.time.step = contactTimeScale(scene_) / 20.0;
+  const double d = scene_.particles.diameter;
+  const auto rebound = [&](double way, double phase, bool atWall) {  // way and phase of a step, in diameters
+    const double gap = (20.0 + phase) * way * d, speed = way * d / scene_.time.step;
+    const auto solver = atWall ? solverAt(scene_, {{0.0, d / 2.0 + gap}}, wideFloor())
+                               : solverAt(scene_, {{0.0, d + gap}, {0.0, 0.0}});
+    solver->particles().velocity[0].y = -speed;
+    EXPECT_FALSE(solver->advance(40));
+    const Particles p = inOrderOfIds(solver->particles());
+    return (atWall ? p.velocity[0].y : p.velocity[0].y - p.velocity[1].y) / speed;
+  };
+  for (const bool atWall : {false, true})
+    for (const double phase : {0.13, 0.31, 0.47, 0.71, 0.89}) {
+      const double slow = rebound(1e-3, phase, atWall);
+      EXPECT_GT(slow, 0.8);
+      for (const double way : {0.01, 0.04, 0.1}) EXPECT_NEAR(rebound(way, phase, atWall), slow, 1e-10) << way;
+    }
+}
+
 INSTANTIATE_TEST_SUITE_P(Integrators, Restitution, eachIntegrator(), nameOfIntegrator);
 
 }  // namespace
