@@ -33,7 +33,7 @@ TEST_F(Live, FilmedRunOnThreeThreadsTakesSignalsAndGoesOn) {
   ASSERT_EQ(stopped.exitCode, 130) << stopped.err;
   EXPECT_GT(fs::file_size(folder / "r/video.mp4"), 1000u);
 
-  const std::string until = std::to_string(summaryOf("r")["simulated_seconds"].get<double>() + 0.2);
+  const std::string until = std::to_string(summaryOf("r")["simulated_seconds"].get<double>() + 0.1);
   std::vector<std::string> andResume = live;
   andResume.push_back("--resume");
   const Outcome resumed = bedmix(tiny("r", until, andResume));
