@@ -43,6 +43,12 @@ inline double pairAngle(const Scene& scene) {
   return scene.time.step * std::sqrt(2.0 * scene.contacts.stiffness / particleMass(scene));
 }
 
+/// What a check's text begins with where it is not the default integrator that is checked.
+inline std::string named(const Scene& scene) {
+  if (scene.time.integrator == Integrator::velocityVerlet) return "";
+  return std::string(modelName(scene.time.integrator)) + ": ";
+}
+
 /// Whether check refuses a scene because of this key.
 inline bool refused(const Scene& scene, const std::string& path) {
   const auto all = contradictions(scene);

@@ -49,8 +49,9 @@ std::vector<Check> column() {
            "as many units, at random, at the fastest frequency", fastest(p)}};
 }
 
-Check stackOfTen(double stiffness) {
+Check stackOfTen(double stiffness, Integrator integrator) {
   Scene scene = heavySpheres();
+  scene.time.integrator = integrator;
   scene.contacts.stiffness = stiffness;
   scene.time.step = contactTimeScale(scene) / 14.0;
   constexpr int count = 10;
@@ -68,11 +69,14 @@ Check stackOfTen(double stiffness) {
     const double depth = d - (p.position[i].y - (i == 0 ? -d / 2.0 : p.position[i - 1].y));
     worst = std::max(worst, std::abs(depth / sag - (count - i)));
   }
-  return {fmt::format("{:g} N/m, step T/14: overlaps of ten spheres, in m g/k", stiffness), 1e-6,
-          "n m g/k; of the first swing e^-20 is left", worst};
+  return {fmt::format("{}{:g} N/m, step T/14: overlaps of ten spheres, in m g/k", named(scene), stiffness),
+          1e-6, "n m g/k; of the first swing e^-20 is left", worst};
 }
 
-std::vector<Check> stiffnesses() { return {stackOfTen(200.0), stackOfTen(200000.0)}; }
+std::vector<Check> stiffnesses() {
+  return {stackOfTen(200.0, Integrator::velocityVerlet), stackOfTen(200000.0, Integrator::velocityVerlet),
+          stackOfTen(2000.0, Integrator::verletOnset)};
+}
 
 std::vector<Check> pressed() {
   Scene scene = heavySpheres();
@@ -91,8 +95,9 @@ std::vector<Check> pressed() {
            std::abs((r - p.position[0].y) / sag - 1.0)}};
 }
 
-void addCrystal(std::vector<Check>& checks, double ofScale) {
+void addCrystal(std::vector<Check>& checks, double ofScale, Integrator integrator) {
   Scene scene = heavySpheres();
+  scene.time.integrator = integrator;
   scene.contacts.friction.emplace();
   scene.time.step = contactTimeScale(scene) / ofScale;
   constexpr int columns = 12, rows = 16;
@@ -109,7 +114,7 @@ void addCrystal(std::vector<Check>& checks, double ofScale) {
   const Particles p = inOrderOfIds(solver->particles());
   double moved = 0.0;
   for (std::size_t i = 0; i < p.size(); ++i) moved = std::max(moved, norm(p.position[i] - sites[i]) / d);
-  const std::string what = fmt::format("step T/{:g}: ", ofScale);
+  const std::string what = fmt::format("{}step T/{:g}: ", named(scene), ofScale);
   checks.push_back(
       {what + "largest energy over that at the start", 1.0, "dashpots and friction only take", highest});
   checks.push_back({what + "furthest from its site after 2 s, d",
@@ -119,7 +124,8 @@ void addCrystal(std::vector<Check>& checks, double ofScale) {
 
 std::vector<Check> crystal() {
   std::vector<Check> checks;
-  for (const double ofScale : {100.0, 14.0}) addCrystal(checks, ofScale);
+  for (const double ofScale : {100.0, 14.0}) addCrystal(checks, ofScale, Integrator::velocityVerlet);
+  addCrystal(checks, 14.0, Integrator::verletOnset);
   return checks;
 }
 
