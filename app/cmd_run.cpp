@@ -1,20 +1,16 @@
 // SPDX-License-Identifier: MIT
+#include "app/attempts.h"
 #include "app/commands.h"
 #include "app/interrupt.h"
-#include "app/progress.h"
-#include "app/resume.h"
-#include "app/run_folder.h"
+#include "app/run_report.h"
 #include "app/scene_library.h"
-#include "app/series.h"
 #include "app/version.h"
 #include "engine/core/presets.h"
+#include "engine/core/refinement.h"
 #include "engine/core/simd.h"
 #include "engine/core/thread_team.h"
-#include "engine/worker.h"
-#include "render/film_sink.h"
 #include "replay/summary.h"
 #include "replay/trajectory_reader.h"
-#include "replay/trajectory_writer.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -28,7 +24,7 @@ namespace bedmix {
 
 namespace {
 
-constexpr const char* automatic = "auto";
+constexpr const char *automatic = "auto", *stop = "stop", *retry = "retry";
 
 struct RunOptions {
   std::string scene;
@@ -37,27 +33,9 @@ struct RunOptions {
   std::optional<std::string> until, seed;  // as TOML
   std::vector<std::string> settings;       // path=value
   std::string threads = automatic, simd = automatic;
+  std::string onTrouble = stop;
   double checkpointSeconds = CheckpointSchedule{}.wallSeconds;
   bool video = false, force = false, resume = false, json = false;
-};
-
-/// All that is recorded of a run, open for writing.
-struct Recording {
-  Series series;
-  std::optional<FilmSink> film;
-  std::optional<TrajectoryWriter> trajectory;
-
-  /// What is derived from frames.
-  void derive(const Frame& frame) {
-    for (const auto& file : series) file->accept(frame);
-    if (film) film->accept(frame);
-  }
-  std::optional<Diagnostic> failure() const {
-    if (trajectory && trajectory->failure()) return trajectory->failure();
-    for (const auto& file : series)
-      if (file->failure()) return file->failure();
-    return std::nullopt;
-  }
 };
 
 Result<std::vector<Override>> overridesOf(const RunOptions& options) {
@@ -72,27 +50,6 @@ Result<std::vector<Override>> overridesOf(const RunOptions& options) {
   if (options.until) overrides.push_back({"time.duration", *options.until, "--until"});
   if (options.seed) overrides.push_back({"seed", *options.seed, "--seed"});
   return overrides;
-}
-
-/// Makes the trajectory; or, to resume a run, derives everything anew from the frames recorded up to there
-/// and opens it after them.
-std::optional<Diagnostic> openTrajectory(Recording& recording, const RunFolder& folder, const Scene& scene,
-                                         std::optional<TrajectoryReader> recorded, const ResumePoint* point) {
-  if (recorded) {
-    for (std::size_t i = 0; i < point->frames; ++i) {
-      const auto frame = recorded->frame(i);
-      if (!frame) return frame.problems.front();
-      recording.derive(**frame);
-      if (recording.failure()) return recording.failure();
-    }
-    recorded.reset();  // before the file is written
-  }
-  auto trajectory =
-      point ? TrajectoryWriter::resume(folder.trajectory(), scene, point->frames, point->slot)
-            : TrajectoryWriter::create(folder.trajectory(), scene, {programVersion, programCommit});
-  if (!trajectory) return trajectory.problems.front();
-  recording.trajectory.emplace(std::move(*trajectory));
-  return std::nullopt;
 }
 
 /// What is wrong with --threads; empty where nothing is.
@@ -125,60 +82,59 @@ bool chooseVectors(const std::string& level) {
   return level == automatic || useSimdLevel(*simdLevelNamed(level));
 }
 
-/// Drains the solver into the recording until it ends, a stop is asked for or a file cannot be written.
-void follow(Worker& worker, Recording& recording, Progress& progress) {
-  while (const FramePtr frame = worker.next()) {
-    recording.trajectory->accept(*frame);
-    if (!recording.failure()) recording.derive(*frame);  // a row follows its frame
-    const Checkpoint checkpoint = worker.checkpoint();
-    if (checkpoint && !recording.failure()) recording.trajectory->keep(*checkpoint);
-    progress.accept(*frame);
-    if (checkpointRequested()) worker.requestCheckpoint();
-    if (stopRequested() || recording.failure()) worker.requestStop();
+/// Where the run in the folder is gone on with.
+Result<ResumePoint> findPoint(const RunPlan& plan, const Console& console) {
+  auto recorded = TrajectoryReader::open(plan.folder.path);
+  if (!recorded) return recorded.problems;
+  const Provenance before = recorded->provenance();
+  auto point = findResumePoint(std::move(*recorded), plan.scene, plan.threads, console);
+  if (point && before != Provenance{programVersion, programCommit})
+    console.warn(
+        fmt::format("the run was begun by bedmix {} ({}), this is {} ({}); results may differ from those "
+                    "without a break",
+                    before.version, before.commit, programVersion, programCommit));
+  return point;
+}
+
+/// Says why the solution is invalid and what is left.
+ExitCode failInvalid(const RunOptions& options, const RunPlan& plan, const RunOutcome& outcome,
+                     const Console& console) {
+  std::string message = outcome.end.message;
+  if (!outcome.retries.empty())
+    message += fmt::format("; {} retries did not help, the last from {:g} s with {}", outcome.retries.size(),
+                           outcome.retries.back().from, settingsText(outcome.retries.back().settings));
+  console.fail(options.scene, message, Trouble::solution);
+  if (outcome.end.lastCheckpoint)
+    console.say(fmt::format("everything up to there is in {}; its last checkpoint is that at {:g} s",
+                            plan.folder.path.string(), *outcome.end.lastCheckpoint));
+  return ExitCode::invalidSolution;
+}
+
+/// Writes the summary and says how it came out.
+ExitCode conclude(const RunOptions& options, const RunPlan& plan, const RunOutcome& outcome,
+                  const Console& console) {
+  ExitCode code = ExitCode::done;
+  if (!outcome.filmProblems.empty()) {
+    code = console.fail(outcome.filmProblems);
+    console.warn("the run has no film");
   }
-  recording.trajectory->finish();
-}
-
-RunSummary summarize(const Scene& scene, const RunEnd& end, int threads) {
-  RunSummary s;
-  s.scene = scene.name;
-  s.seed = scene.seed;
-  s.version = programVersion;
-  s.commit = programCommit;
-  s.simulatedSeconds = end.simulatedSeconds;
-  s.wallSeconds = end.wallSeconds;
-  s.steps = end.steps;
-  s.gasSteps = end.gasSteps;
-  if (end.wallSeconds > 0.0)
-    s.particleStepsPerSecond =
-        static_cast<double>(end.steps) * static_cast<double>(scene.particles.count) / end.wallSeconds;
-  for (std::size_t i = 0; i < end.stages.size(); ++i) s.stages.emplace_back(stageNames[i], end.stages[i]);
-  s.threads = threads;
-  s.simd = simdLevelNames()[static_cast<std::size_t>(simdLevel())];
-  s.stateHash = end.stateHash;
-  s.endReason = end.reason == EndReason::finished  ? "finished"
-                : end.reason == EndReason::stopped ? "stopped"
-                                                   : "invalid";
-  return s;
-}
-
-/// What a user should know of a run that ended well enough.
-void reportSteps(const Console& console, const Scene& scene, const StepReport& report) {
-  if (report.largestOverlap > scene.limits.warnOverlap)
-    console.warn(
-        fmt::format("the largest overlap was {:.2g} of a diameter (particle {}); raise contacts.stiffness",
-                    report.largestOverlap, report.largestOverlapParticle));
-  if (report.aboveGridLargest > 0)
-    console.say(fmt::format("up to {} particles at a time were above the gas grid and fell without gas",
-                            report.aboveGridLargest));
-  if (report.largestCourant > 1.0)
-    console.warn(
-        fmt::format("gas passed {:.2g} cells in a step, where time is resolved below 1; lower gas.step",
-                    report.largestCourant));
-  if (report.gasStepsNotConverged > 0)
-    console.warn(
-        fmt::format("{} gas steps ended at the iteration limit; lower gas.step or raise gas.max_iterations",
-                    report.gasStepsNotConverged));
+  const RunEnd& end = outcome.end;
+  const RunSummary summary = summarize(plan, outcome);
+  auto failure = outcome.failure;
+  if (const auto trouble = writeSummary(plan.folder.summary(), summary, plan.scene); trouble && !failure)
+    failure = trouble;
+  if (failure) return console.fail(*failure);
+  reportSteps(console, plan.scene, end.report);
+  if (options.json) {
+    const auto text = readTextFile(plan.folder.summary());
+    if (!text) return console.fail(text.problems);
+    console.print(*text);
+  }
+  if (end.reason == EndReason::invalid) return failInvalid(options, plan, outcome, console);
+  console.say(fmt::format("{} {:g} simulated s in {:.3g} s ({:.3g} particle steps/s), {}",
+                          end.reason == EndReason::stopped ? "stopped after" : "done:", end.simulatedSeconds,
+                          end.wallSeconds, summary.particleStepsPerSecond, plan.folder.path.string()));
+  return end.reason == EndReason::stopped ? ExitCode::stopped : code;
 }
 
 ExitCode run(const RunOptions& options, const Console& console) {
@@ -194,87 +150,39 @@ ExitCode run(const RunOptions& options, const Console& console) {
   const auto folder = options.resume ? claimRunFolder(path) : makeRunFolder(path, options.force);
   if (!folder) return console.fail(folder.problems);
 
-  std::optional<TrajectoryReader> recorded;
+  RunPlan plan{.scene = *scene,
+               .folder = *folder,
+               .threads = threads,
+               .schedule = {.wallSeconds = options.checkpointSeconds},
+               .film = {},
+               .retries = options.onTrouble == retry};
+  if (options.video) plan.film.emplace().paint.threads = paintThreads(threads);
+
   std::optional<ResumePoint> point;
   if (options.resume) {
-    auto reader = TrajectoryReader::open(folder->path);
-    if (!reader) return console.fail(reader.problems);
-    recorded.emplace(std::move(*reader));
-    auto found = findResumePoint(*recorded, *scene, threads, console);
+    auto found = findPoint(plan, console);
     if (!found) return console.fail(found.problems);
     point.emplace(std::move(*found));
-    if (const Provenance before = recorded->provenance(); before != Provenance{programVersion, programCommit})
-      console.warn(
-          fmt::format("the run was begun by bedmix {} ({}), this is {} ({}); results may differ from those "
-                      "without a break",
-                      before.version, before.commit, programVersion, programCommit));
     const Simulation& start = point->start.simulation;
-    if (start.step() > totalSteps(*scene)) {
+    if (start.step() > totalSteps(point->scene)) {
       console.say(fmt::format("this run has come to {:g} s already; nothing to do", start.time()));
       return ExitCode::done;
     }
   }
 
-  auto series = openSeries(*folder, *scene);
-  if (!series) return console.fail(series.problems);
-  Recording recording{std::move(*series), {}, {}};
-  ExitCode outcome = ExitCode::done;
-  if (options.video) {
-    FilmOptions film;
-    film.paint.threads = paintThreads(threads);
-    auto sink = FilmSink::create(*scene, folder->video(), film);
-    if (sink) {
-      recording.film.emplace(std::move(*sink));
-    } else {
-      outcome = console.fail(sink.problems);
-      console.warn("the run goes on without its film");
-    }
-  }
-
-  if (const auto failure =
-          openTrajectory(recording, *folder, *scene, std::move(recorded), point ? &*point : nullptr))
-    return console.fail(*failure);
-
   catchInterrupts();
   console.say(
       fmt::format("{} into {}", scene->title.empty() ? scene->name : scene->title, folder->path.string()));
   if (point)
-    console.say(fmt::format("going on from {:g} s", point->start.simulation.time()));
+    console.say(fmt::format("going on from {:g} s{}", point->start.simulation.time(),
+                            point->scene.refinement == Refinement{}
+                                ? ""
+                                : " with " + settingsText(refinedSettings(point->scene))));
   else if (scene->start.arrangement == Arrangement::settled)
     console.say("settling the bed ...");
-  const CheckpointSchedule schedule{.wallSeconds = options.checkpointSeconds};
-  Worker worker =
-      point ? Worker(*scene, std::move(point->start), schedule) : Worker(*scene, threads, schedule);
-  {
-    Progress progress(console, scene->time.duration);
-    follow(worker, recording, progress);
-  }
-
-  if (recording.film)
-    if (const auto finished = recording.film->finish(); !finished) outcome = console.fail(finished.problems);
-  const RunEnd& end = worker.end();
-  const RunSummary summary = summarize(*scene, end, threads);
-  auto fileFailure = recording.failure();
-  if (const auto failure = writeSummary(folder->summary(), summary, *scene); failure && !fileFailure)
-    fileFailure = failure;
-  if (fileFailure) return console.fail(*fileFailure);
-  reportSteps(console, *scene, end.report);
-  if (options.json) {
-    const auto text = readTextFile(folder->summary());
-    if (!text) return console.fail(text.problems);
-    console.print(*text);
-  }
-  if (end.reason == EndReason::invalid) {
-    console.fail(options.scene, end.message);
-    if (end.lastCheckpoint)
-      console.say(fmt::format("everything up to there is in {}; its last checkpoint is that at {:g} s",
-                              folder->path.string(), *end.lastCheckpoint));
-    return ExitCode::invalidSolution;
-  }
-  console.say(fmt::format("{} {:g} simulated s in {:.3g} s ({:.3g} particle steps/s), {}",
-                          end.reason == EndReason::stopped ? "stopped after" : "done:", end.simulatedSeconds,
-                          end.wallSeconds, summary.particleStepsPerSecond, folder->path.string()));
-  return end.reason == EndReason::stopped ? ExitCode::stopped : outcome;
+  const auto outcome = carryOut(plan, std::move(point), console);
+  if (!outcome) return console.fail(outcome.problems);
+  return conclude(options, plan, *outcome, console);
 }
 
 }  // namespace
@@ -327,6 +235,14 @@ void addRunCommand(CLI::App& program, CommandContext context) {
           "when the run ends or is stopped")
       ->type_name("S")
       ->check(CLI::NonNegativeNumber)
+      ->capture_default_str();
+  command
+      ->add_option("--on-trouble", options->onTrouble,
+                   fmt::format("What becomes of a solution that is invalid: stop, or retry from the last "
+                               "checkpoint with half the step, up to {} times",
+                               mostHalvings))
+      ->type_name("stop|retry")
+      ->check(CLI::IsMember({stop, retry}))
       ->capture_default_str();
   command->add_flag("--json", options->json, "Print summary.json at the end");
   command->footer(

@@ -21,6 +21,8 @@ inline ExitCode exitCodeOf(Trouble trouble) {
       return ExitCode::fileTrouble;
     case Trouble::unavailable:
       return ExitCode::unavailable;
+    case Trouble::solution:
+      return ExitCode::invalidSolution;
     case Trouble::input:
       break;
   }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "app/resume.h"
 
+#include "engine/core/refinement.h"
 #include "engine/core/scene_reader.h"
 
 #include <fmt/format.h>
@@ -40,6 +41,22 @@ std::size_t framesUntil(std::int64_t step, const Scene& scene) {
   return static_cast<std::size_t>(step / perFrame) + (isEarly ? 2 : 1);
 }
 
+/// A checkpoint that is whole.
+struct Candidate {
+  Scene scene;            // with the steps it was taken with
+  double interval = 0.0;  // it was taken at, the first being 0; exact whatever the steps
+  std::size_t slot = 0;
+};
+Candidate candidate(const Scene& asked, const CheckpointMark& mark, std::size_t slot) {
+  const Scene scene = refined(asked, mark.refinement);
+  return {scene, static_cast<double>(mark.step) / static_cast<double>(stepsPerFrame(scene)), slot};
+}
+/// Taken later, or with shorter steps.
+bool isBetter(const Candidate& a, const Candidate& b) {
+  if (a.interval != b.interval) return a.interval > b.interval;
+  return a.scene.refinement.particles > b.scene.refinement.particles;
+}
+
 }  // namespace
 
 std::optional<Diagnostic> sceneDifference(const Scene& recorded, const Scene& asked) {
@@ -60,26 +77,28 @@ std::optional<Diagnostic> sceneDifference(const Scene& recorded, const Scene& as
                     what + "; give the scene, --set and --seed of that run, only --until may be another"};
 }
 
-Result<ResumePoint> findResumePoint(TrajectoryReader& recorded, const Scene& scene, int threads,
-                                    const Console& console) {
+Result<ResumePoint> findResumePoint(TrajectoryReader recorded, const Scene& scene, int threads,
+                                    const Console& console, std::optional<Refinement> refinement) {
   if (auto difference = sceneDifference(recorded.scene(), scene)) return *difference;
   const std::vector<std::vector<std::byte>> found = recorded.checkpoints();
-  std::vector<std::pair<std::int64_t, std::size_t>> sound;  // step and place
+  std::vector<Candidate> sound;
   for (std::size_t slot = 0; slot < found.size(); ++slot) {
-    if (const auto step = checkpointStep(found[slot]))
-      sound.emplace_back(*step, slot);
+    if (const auto mark = checkpointMark(found[slot]))
+      sound.push_back(candidate(scene, *mark, slot));
     else if (!found[slot].empty())
       console.warn("one checkpoint is not whole; the run goes on from the other");
   }
-  std::sort(sound.rbegin(), sound.rend());
-  for (const auto& [step, slot] : sound) {
-    Result<Resumed> start = readCheckpoint(found[slot], scene, threads);
+  std::sort(sound.begin(), sound.end(), isBetter);
+  for (const Candidate& c : sound) {
+    const Scene goesOn = refinement ? refined(scene, *refinement) : c.scene;
+    Result<Resumed> start = readCheckpoint(found[c.slot], goesOn, threads);
     if (!start) {
       console.warn(start.problems.front().message);
       continue;
     }
-    const std::size_t frames = framesUntil(step, scene);
-    if (frames <= recorded.times().size()) return ResumePoint{std::move(*start), frames, slot};
+    const std::size_t frames = framesUntil(start->simulation.step(), goesOn);
+    if (frames <= recorded.times().size())
+      return ResumePoint{std::move(recorded), std::move(*start), goesOn, frames, c.slot};
     console.warn("a checkpoint is ahead of the recorded frames");
   }
   return Diagnostic{{"--resume"},

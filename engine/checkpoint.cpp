@@ -2,6 +2,7 @@
 #include "engine/checkpoint.h"
 
 #include "engine/core/hash.h"
+#include "engine/core/refinement.h"
 #include "engine/core/scene_reader.h"
 #include "engine/core/state_bytes.h"
 
@@ -23,9 +24,10 @@ struct Header {
   std::uint64_t scene = 0;  // see sceneMark()
   std::int64_t step = 0;
   double wallSeconds = 0.0;
+  Refinement refinement;
 
   /// To be raised whenever a save() of the engine changes, or a result.
-  static constexpr std::uint64_t currentVersion = 2;
+  static constexpr std::uint64_t currentVersion = 3;
 };
 
 std::uint64_t checksum(std::span<const std::byte> bytes) {
@@ -34,10 +36,11 @@ std::uint64_t checksum(std::span<const std::byte> bytes) {
   return hash.value();
 }
 
-/// The same for scenes that differ in their duration alone.
-std::uint64_t sceneMark(Scene scene) {
-  scene.time.duration = 0.0;
-  const std::string text = writeScene(scene);
+/// The same for scenes that differ in their duration and refinement alone.
+std::uint64_t sceneMark(const Scene& scene) {
+  Scene asked = unrefined(scene);
+  asked.time.duration = 0.0;
+  const std::string text = writeScene(asked);
   return checksum(std::as_bytes(std::span(text)));
 }
 
@@ -59,6 +62,9 @@ Result<Header> readHeader(std::span<const std::byte> bytes) {
   std::memcpy(&sum, whole.last(sizeof sum).data(), sizeof sum);
   if (sum != checksum(whole.first(whole.size() - sizeof sum)))
     return refuse("is damaged: its checksum is another");
+  const auto& [particles, gas] = header.refinement;
+  if (gas < 0 || gas > particles || particles > mostHalvings)
+    return refuse("is of steps that no run takes; it was not written by bedmix");
   return header;
 }
 
@@ -67,7 +73,10 @@ Result<Header> readHeader(std::span<const std::byte> bytes) {
 std::vector<std::byte> writeCheckpoint(const Simulation& simulation, const Scene& scene, double wallSeconds) {
   constexpr std::size_t perParticle = 512;
   StateWriter out(perParticle * static_cast<std::size_t>(scene.particles.count));
-  out.put(Header{.scene = sceneMark(scene), .step = simulation.step(), .wallSeconds = wallSeconds});
+  out.put(Header{.scene = sceneMark(scene),
+                 .step = simulation.step(),
+                 .wallSeconds = wallSeconds,
+                 .refinement = scene.refinement});
   simulation.save(out);
   std::vector<std::byte> bytes = out.take();
   const std::uint64_t size = bytes.size() + sizeof(std::uint64_t);
@@ -78,10 +87,10 @@ std::vector<std::byte> writeCheckpoint(const Simulation& simulation, const Scene
   return bytes;
 }
 
-std::optional<std::int64_t> checkpointStep(std::span<const std::byte> bytes) {
+std::optional<CheckpointMark> checkpointMark(std::span<const std::byte> bytes) {
   const Result<Header> header = readHeader(bytes);
   if (!header) return std::nullopt;
-  return header->step;
+  return CheckpointMark{header->step, header->refinement};
 }
 
 Result<Resumed> readCheckpoint(std::span<const std::byte> bytes, const Scene& scene, int threads) {
@@ -89,10 +98,14 @@ Result<Resumed> readCheckpoint(std::span<const std::byte> bytes, const Scene& sc
   if (!header) return header.problems;
   if (header->scene != sceneMark(scene))
     return Diagnostic{{}, "the checkpoint is of another scene", Trouble::file};
+  const Refinement was = header->refinement, is = scene.refinement;
+  if (was.particles > is.particles || was.gas > is.gas)
+    return Diagnostic{{}, "the checkpoint was taken with shorter steps", Trouble::file};
+  const std::int64_t perStep = stepsPerStep(scene, refined(unrefined(scene), was));
   const std::size_t state = header->size - sizeof(Header) - sizeof(std::uint64_t);
   StateReader in(bytes.subspan(sizeof(Header), state));
-  std::optional<Simulation> simulation = Simulation::make(scene, in, threads);
-  if (!simulation || !in.done() || simulation->step() != header->step)
+  std::optional<Simulation> simulation = Simulation::make(scene, in, threads, perStep);
+  if (!simulation || !in.done() || simulation->step() / perStep != header->step)
     return Diagnostic{
         {}, "the checkpoint does not fit its scene; it was not written by bedmix", Trouble::file};
   return Resumed{std::move(*simulation), header->wallSeconds};

@@ -24,11 +24,17 @@ struct Resumed {
 
 std::vector<std::byte> writeCheckpoint(const Simulation& simulation, const Scene& scene, double wallSeconds);
 
-/// The step at which a checkpoint was taken; none where the bytes are no whole one. More may follow it.
-std::optional<std::int64_t> checkpointStep(std::span<const std::byte> bytes);
+/// When a checkpoint was taken.
+struct CheckpointMark {
+  std::int64_t step = 0;
+  Refinement refinement;  // of the scene whose steps these are
+};
+/// None where the bytes are no whole checkpoint. More may follow it.
+std::optional<CheckpointMark> checkpointMark(std::span<const std::byte> bytes);
 
 /// The run as it was, which goes on as if it had never stopped. Fails on bytes that are damaged, of another
-/// version of the program, or of another scene; one that differs in time.duration alone is the same.
+/// version of the program, or of another scene; one that differs in time.duration alone is the same, and one
+/// that is refined further goes on with the shorter steps.
 Result<Resumed> readCheckpoint(std::span<const std::byte> bytes, const Scene& scene, int threads);
 
 }  // namespace bedmix

@@ -131,12 +131,13 @@ struct Simulation::State {
   std::int64_t stretchEnd = 0;  // step of the next
   StageSeconds seconds{};
   StepReport report;
+  bool gasFailed = false;
 
   std::int64_t nextStretch() const;
   std::optional<std::string> gasStep();
   ParticleStep::Outcome moveParticles(std::int64_t ticks);
   std::optional<std::string> advanceParticles(std::int64_t ticks);
-  bool load(StateReader& in);
+  bool load(StateReader& in, std::int64_t stepsPerStep);
 };
 
 // Gas steps fall on whole multiples of their length, wherever a call begins.
@@ -175,6 +176,7 @@ std::optional<std::string> Simulation::State::gasStep() {
   report.largestMassResidual = std::max(report.largestMassResidual, r.massResidual);
   report.largestCourant = std::max(report.largestCourant, r.courant);
   clock.lap(Stage::gas);
+  gasFailed = !r.solved || r.massResidual > worstMassResidual;
   if (!r.solved)
     return fmt::format("the gas has no finite solution (gas) at t = {:.6g} s; use a smaller gas.step",
                        timeOfStep(scene, step));
@@ -215,6 +217,7 @@ std::optional<std::string> Simulation::State::advanceParticles(std::int64_t tick
     report.largestSpeedParticle = fastest.particle;
   }
   if (!trouble) return std::nullopt;
+  gasFailed = trouble->stage == std::string_view("drag");
   const double time = timeOfStep(scene, step);
   if (trouble->kind == DemTrouble::Kind::speed)
     return fmt::format(
@@ -283,13 +286,18 @@ void Simulation::save(StateWriter& out) const {
   if (s.gas->chosenStep) s.gas->chosenStep->save(out);
 }
 
-bool Simulation::State::load(StateReader& in) {
+bool Simulation::State::load(StateReader& in, std::int64_t stepsPerStep) {
   const auto getCount = [&in](auto& count) {
     constexpr std::int64_t most = std::int64_t{1} << 53;  // no run counts that far
     return in.get(count) && count >= 0 && count < most;
   };
-  return getCount(step) && getCount(particleSteps) && getCount(gasSteps) && getCount(stretch) &&
-         getCount(stretchEnd) && stretchEnd > step && stretchEnd - step <= stretch && in.get(seconds) &&
+  const auto getTicks = [&](std::int64_t& ticks) {
+    if (!getCount(ticks)) return false;
+    ticks *= stepsPerStep;
+    return true;
+  };
+  return getTicks(step) && getCount(particleSteps) && getCount(gasSteps) && getTicks(stretch) &&
+         getTicks(stretchEnd) && stretchEnd > step && stretchEnd - step <= stretch && in.get(seconds) &&
          in.get(report.largestOverlap) && in.get(report.largestOverlapParticle) &&
          getCount(report.gasStepsNotConverged) && in.get(report.largestMassResidual) &&
          in.get(report.largestCourant) && in.get(report.lowestVoidage) && in.get(report.aboveGridLargest) &&
@@ -298,10 +306,11 @@ bool Simulation::State::load(StateReader& in) {
          (!gas || (gas->solver.load(in) && (!gas->chosenStep || gas->chosenStep->load(in))));
 }
 
-std::optional<Simulation> Simulation::make(const Scene& scene, StateReader& in, int threads) {
+std::optional<Simulation> Simulation::make(const Scene& scene, StateReader& in, int threads,
+                                           std::int64_t stepsPerStep) {
   const std::vector<Vec2> anywhere(static_cast<std::size_t>(scene.particles.count));
   Simulation simulation(scene, makeParticles(scene, anywhere), std::make_unique<ThreadTeam>(threads));
-  if (!simulation.state_->load(in)) return std::nullopt;
+  if (!simulation.state_->load(in, stepsPerStep)) return std::nullopt;
   return simulation;
 }
 
@@ -332,6 +341,7 @@ void Simulation::setInlets(const std::vector<Inlet>& inlets) {
   s.gas->solver.setInletFlux(makeGasGrid(s.scene).inletFlux);
 }
 
+bool Simulation::gasFailed() const { return state_->gasFailed; }
 std::int64_t Simulation::step() const { return state_->step; }
 std::int64_t Simulation::particleSteps() const { return state_->particleSteps; }
 double Simulation::time() const { return timeOfStep(state_->scene, state_->step); }

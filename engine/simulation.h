@@ -53,8 +53,10 @@ class Simulation {
   /// Takes the bed as it stands in `start`, which must fit the scene.
   static Simulation make(const Scene& scene, Particles start, int threads = 1);
   /// Goes on from what save() wrote of a simulation of the same scene; whatever the numbers of threads, both
-  /// stay the same to the bit. Empty where `in` is not that.
-  static std::optional<Simulation> make(const Scene& scene, StateReader& in, int threads = 1);
+  /// stay the same to the bit. Of a scene with longer steps, a step then was `stepsPerStep` of this scene's.
+  /// Empty where `in` is not that.
+  static std::optional<Simulation> make(const Scene& scene, StateReader& in, int threads = 1,
+                                        std::int64_t stepsPerStep = 1);
   ~Simulation();
   Simulation(Simulation&&) noexcept;
   Simulation& operator=(Simulation&&) noexcept;
@@ -64,6 +66,8 @@ class Simulation {
   /// when the solution is valid; else what went wrong (which particle, which stage, what time, what to do),
   /// and the simulation must not be advanced further.
   [[nodiscard]] std::optional<std::string> advance(std::int64_t steps);
+  /// Whether what went wrong there did so in the gas.
+  bool gasFailed() const;
 
   /// Changes what the gas enters through, from the next gas step on. The scene must have gas and the inlets
   /// must fit its floor.

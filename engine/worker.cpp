@@ -97,6 +97,7 @@ struct Worker::State {
       if (!made) {
         outcome.reason = EndReason::invalid;
         outcome.message = toString(made.problems.front());
+        if (made.problems.front().trouble == Trouble::solution) outcome.cure = Refinement{1, 0};
         return outcome;
       }
       resumed = Resumed{std::move(*made), 0.0};
@@ -132,6 +133,7 @@ struct Worker::State {
       if (auto trouble = simulation.advance(std::min(chunk, last - step))) {
         outcome.reason = EndReason::invalid;
         outcome.message = *trouble;
+        outcome.cure = Refinement{1, simulation.gasFailed() ? 1 : 0};
         break;
       }
       goesOn = sendFrame();

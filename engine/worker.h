@@ -20,7 +20,8 @@ enum class EndReason { finished, stopped, invalid };
 /// How a run ended, and what it took.
 struct RunEnd {
   EndReason reason = EndReason::finished;
-  std::string message;  // why, where the reason is `invalid`
+  std::string message;             // why, where the reason is `invalid`
+  std::optional<Refinement> cure;  // what may help then, where anything may
   double simulatedSeconds = 0.0;
   double wallSeconds = 0.0;  // from t = 0 on, those before the run was resumed included
   std::int64_t steps = 0;  // of the particles

@@ -75,7 +75,8 @@ H5 openSeries(hid_t file, const std::string& path, hid_t type, const std::vector
               Origin origin) {
   // A number a frame shares a chunk with its neighbours in time; anything bigger has its own.
   constexpr hsize_t numbersPerChunk = 128;
-  std::vector<hsize_t> extent{0}, chunk{row.empty() ? numbersPerChunk : 1};
+  const bool isNumber = row.empty() && H5Tget_size(type) <= sizeof(double);
+  std::vector<hsize_t> extent{0}, chunk{isNumber ? numbersPerChunk : 1};
   for (hsize_t n : row) {
     extent.push_back(n);
     chunk.push_back(std::max<hsize_t>(n, 1));
@@ -86,12 +87,12 @@ H5 openSeries(hid_t file, const std::string& path, hid_t type, const std::vector
 
 }  // namespace
 
-TimeSeries::TimeSeries(hid_t file, std::string path, hid_t type, std::vector<hsize_t> row, Origin origin)
+TimeSeries::TimeSeries(hid_t file, std::string path, H5 type, std::vector<hsize_t> row, Origin origin)
     : path_(std::move(path)),
-      type_(type),
+      type_(std::move(type)),
       row_(std::move(row)),
-      rowBytes_(std::accumulate(row_.begin(), row_.end(), H5Tget_size(type), std::multiplies<>())),
-      dataset_(openSeries(file, path_, type, row_, origin)) {}
+      rowBytes_(std::accumulate(row_.begin(), row_.end(), H5Tget_size(type_), std::multiplies<>())),
+      dataset_(openSeries(file, path_, type_, row_, origin)) {}
 
 TimeSeries::Selection TimeSeries::select(hsize_t index) const {
   std::vector<hsize_t> start{index}, count{1};
@@ -168,6 +169,10 @@ void Hdf5Output::replaceText(const std::string& path, const std::string& value) 
   if (H5Tget_size(type) != value.size())
     throw Hdf5Error(path + " is of another length than what replaces it");
   checkHdf5(H5Dwrite(dataset, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, value.c_str()), "write " + path);
+}
+
+TimeSeries Hdf5Output::texts(const std::string& path, std::size_t size) const {
+  return {file_, path, textType(size), {}, origin_};
 }
 
 void Hdf5Output::attribute(const std::string& path, const char* name,

@@ -20,7 +20,7 @@ enum class Origin { made, found, rehearsed };
 class TimeSeries {
  public:
   /// Fails where the one that is found has other extents.
-  TimeSeries(hid_t file, std::string path, hid_t type, std::vector<hsize_t> row, Origin origin);
+  TimeSeries(hid_t file, std::string path, H5 type, std::vector<hsize_t> row, Origin origin);
 
   /// Writes row `index` and makes it the last one. `row` must have the size the series was made with.
   void append(hsize_t index, std::span<const std::byte> row);
@@ -39,7 +39,7 @@ class TimeSeries {
   Selection select(hsize_t index) const;
 
   std::string path_;
-  hid_t type_;
+  H5 type_;
   std::vector<hsize_t> row_;  // extents of a row
   std::size_t rowBytes_;
   H5 dataset_;
@@ -79,8 +79,10 @@ class Hdf5Output {
   /// found as the file is.
   template <class T>
   TimeSeries series(const std::string& path, std::vector<hsize_t> row) const {
-    return {file_, path, h5Type<T>(), std::move(row), origin_};
+    return {file_, path, {H5Tcopy(h5Type<T>()), "copy a type"}, std::move(row), origin_};
   }
+  /// One of texts of `size` bytes, padded with zeros.
+  TimeSeries texts(const std::string& path, std::size_t size) const;
   ByteStore bytes(const std::string& path, hsize_t chunk) const { return {file_, path, chunk, origin_}; }
   /// Writes other text of the same length over one that is there.
   void replaceText(const std::string& path, const std::string& value) const;

@@ -71,10 +71,30 @@ std::uint64_t fromHex(const std::string& text) {
   return value;
 }
 
+Retry retryOf(const Json& json) {
+  Retry retry;
+  for (const auto& [key, value] : json.items()) {
+    if (key == "time")
+      value.get_to(retry.time);
+    else if (key == "from")
+      value.get_to(retry.from);
+    else if (key == "reason")
+      value.get_to(retry.reason);
+    else
+      retry.settings.emplace_back(key, value.get<double>());
+  }
+  return retry;
+}
+
 }  // namespace
 
 std::optional<Diagnostic> writeSummary(const std::filesystem::path& path, const RunSummary& s,
                                        const Scene& scene) {
+  Json retries = Json::array();
+  for (const Retry& r : s.retries) {
+    Json& retry = retries.emplace_back(Json{{"time", r.time}, {"from", r.from}, {"reason", r.reason}});
+    for (const auto& [key, value] : r.settings) retry[key] = value;
+  }
   Json stages = Json::object();
   for (const auto& [name, seconds] : s.stages) stages[name] = seconds;
   Scene settings = scene;
@@ -92,7 +112,8 @@ std::optional<Diagnostic> writeSummary(const std::filesystem::path& path, const 
                   {"threads", s.threads},
                   {"simd", s.simd},
                   {"state_hash", fmt::format("{:016x}", s.stateHash)},
-                  {"end_reason", s.endReason}};
+                  {"end_reason", s.endReason},
+                  {"retries", retries}};
 
   std::filesystem::path part = path;
   part += ".part";
@@ -131,6 +152,7 @@ Result<RunSummary> readSummary(const std::filesystem::path& path) {
     json.at("simd").get_to(s.simd);
     s.stateHash = fromHex(json.at("state_hash").get<std::string>());
     json.at("end_reason").get_to(s.endReason);
+    for (const Json& retry : json.value("retries", Json::array())) s.retries.push_back(retryOf(retry));
     return s;
   } catch (const std::exception& e) {
     return fileTrouble(path, std::string("is not a summary of a bedmix run: ") + e.what());

@@ -13,6 +13,16 @@
 
 namespace bedmix {
 
+/// A run whose solution became invalid, and that went back to go on with shorter steps.
+struct Retry {
+  double time = 0.0;  // s, of the trouble
+  double from = 0.0;  // s, it went on from
+  std::string reason;
+  std::vector<std::pair<std::string, double>> settings;  // changed, by their paths
+
+  bool operator==(const Retry&) const = default;
+};
+
 /// What summary.json tells of a run beside its settings.
 struct RunSummary {
   std::string scene;  // name
@@ -28,7 +38,8 @@ struct RunSummary {
   int threads = 1;
   std::string simd;  // the instructions the vector loops used
   std::uint64_t stateHash = 0;
-  std::string endReason;  // finished, stopped, invalid
+  std::string endReason;       // finished, stopped, invalid
+  std::vector<Retry> retries;  // since the run was begun or resumed
 };
 
 /// Writes summary.json with `scene` as its resolved settings. The file appears whole or not at all.

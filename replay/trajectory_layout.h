@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 
 // What stands where in trajectory.h5, for its writer and its reader. T frames, N particles, gas cells in rows
 // and columns. A time-dependent element is a group with `value` and the `step` and `time` that all of them
@@ -19,6 +20,8 @@
 //   parameters/...               scene_name, seed, version, commit
 //   bedmix/checkpoint/0, 1       bytes of the last two checkpoints, which are written by turns; see
 //                                engine/checkpoint.h, and what follows one is left over from longer ones
+//   bedmix/events/time           [events] double, s, when something happened to the run; see run_event.h
+//   bedmix/events/kind, detail   [events] texts of fixed length
 //   bedmix/gas/x, y              faces of the gas grid, m; only with gas, like all below
 //   bedmix/gas/lowest_row        [columns], rows below are blocked
 //   bedmix/gas/voidage           value[T][rows][columns] float
@@ -45,6 +48,12 @@ inline constexpr const char* commit = "parameters/commit";
 inline constexpr const char* bedmix = "bedmix";
 inline constexpr const char* checkpoint = "bedmix/checkpoint";
 inline constexpr std::array checkpointSlots{"bedmix/checkpoint/0", "bedmix/checkpoint/1"};
+
+inline constexpr const char* events = "bedmix/events";
+inline constexpr const char* eventTime = "bedmix/events/time";
+inline constexpr const char* eventKind = "bedmix/events/kind";
+inline constexpr const char* eventDetail = "bedmix/events/detail";
+inline constexpr std::size_t eventKindSize = 32, eventDetailSize = 480;  // bytes
 
 inline constexpr const char* gas = "bedmix/gas";
 inline constexpr const char* voidage = "bedmix/gas/voidage";

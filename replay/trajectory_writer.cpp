@@ -31,6 +31,16 @@ Bytes bytes(const std::vector<T>& values) {
   return std::as_bytes(std::span(values));
 }
 
+/// Made `size` bytes long: with zeros, or cut before the character that goes beyond.
+std::vector<char> padded(const std::string& text, std::size_t size) {
+  std::size_t end = std::min(text.size(), size);
+  if (end < text.size())
+    while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xc0) == 0x80) --end;
+  std::vector<char> row(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(end));
+  row.resize(size);
+  return row;
+}
+
 /// What the file holds beside the frames themselves; NaN where undefined.
 struct Observables {
   double lacey, ashton, stddev, flux, pressureDrop, bedHeight;
@@ -46,7 +56,7 @@ void writeHeader(const Hdf5Output& out, const Scene& scene, const Provenance& pr
   constexpr std::int32_t dimension[] = {2};
   for (const char* group :
        {"h5md", "h5md/author", "h5md/creator", "parameters", "particles", layout::particles, layout::box,
-        "observables", layout::bedmix, layout::checkpoint})
+        "observables", layout::bedmix, layout::checkpoint, layout::events})
     out.group(group);
   out.attribute("h5md", "version", h5mdVersion);
   out.attribute("h5md/author", "name", {"bedmix"});
@@ -71,6 +81,23 @@ void writeGasGrid(const Hdf5Output& out, const GasGrid& grid) {
   out.fixed<std::int32_t>(layout::gas + std::string("/lowest_row"), grid.lowestRow);
 }
 
+/// What has happened to the run; an event counts once all three know it.
+struct EventLog {
+  TimeSeries time, kind, detail;
+
+  explicit EventLog(const Hdf5Output& out)
+      : time(out.series<double>(layout::eventTime, {})),
+        kind(out.texts(layout::eventKind, layout::eventKindSize)),
+        detail(out.texts(layout::eventDetail, layout::eventDetailSize)) {}
+
+  void append(const RunEvent& event) {
+    const hsize_t index = std::min({time.rows(), kind.rows(), detail.rows()});
+    kind.append(index, bytes(padded(event.kind, layout::eventKindSize)));
+    detail.append(index, bytes(padded(event.detail, layout::eventDetailSize)));
+    time.append(index, bytes(event.time));
+  }
+};
+
 /// One time-dependent element, and where a frame has its row.
 struct Element {
   TimeSeries value;
@@ -90,6 +117,7 @@ struct TrajectoryWriter::State {
   std::vector<Element> elements;         // positions first
   std::vector<ByteStore> checkpoints;
   std::size_t nextCheckpoint = 0;
+  std::optional<EventLog> events;
   Observables seen{};
   std::vector<std::uint8_t> species;
   std::vector<std::int32_t> id;
@@ -105,6 +133,7 @@ struct TrajectoryWriter::State {
     } else {
       out.replaceText(layout::scene, writeScene(scene));
     }
+    events.emplace(out);
     addParticles();
     addObservables();
     if (grid) addGas();
@@ -313,6 +342,15 @@ std::optional<Diagnostic> TrajectoryWriter::attempt(Action&& action) {
 
 void TrajectoryWriter::keep(std::span<const std::byte> checkpoint) {
   unlessFailed([&] { return attempt([&](State& state) { state.keep(checkpoint); }); });
+}
+
+void TrajectoryWriter::note(const RunEvent& event) {
+  unlessFailed([&] {
+    return attempt([&](State& state) {
+      state.events->append(event);
+      state.out.flush();
+    });
+  });
 }
 
 void TrajectoryWriter::finish() {

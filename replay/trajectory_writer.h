@@ -4,6 +4,7 @@
 #include "engine/core/scene.h"
 #include "replay/file_sink.h"
 #include "replay/provenance.h"
+#include "replay/run_event.h"
 
 #include <cstddef>
 #include <filesystem>
@@ -35,6 +36,8 @@ class TrajectoryWriter final : public FileSink {
   /// Keeps a checkpoint of the run at the last frame, and the one before this. A failure is kept as that of a
   /// frame is.
   void keep(std::span<const std::byte> checkpoint);
+  /// Adds to the run's log, which no cut of frames shortens. A failure is kept likewise.
+  void note(const RunEvent& event);
   /// Ends the run with the last frame: those that were there behind it are taken out.
   void finish();
 

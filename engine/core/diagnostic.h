@@ -15,9 +15,9 @@ struct SourceLocation {
   int column = 0;
 };
 
-/// Whose trouble it is, which decides the exit code: the user's input, a file or disk, or something this
-/// machine lacks for drawing and encoding.
-enum class Trouble { input, file, unavailable };
+/// Whose trouble it is, which decides the exit code: the user's input, a file or disk, something this machine
+/// lacks for drawing and encoding, or a solution that became invalid.
+enum class Trouble { input, file, unavailable, solution };
 
 /// One thing that is wrong: where, what and why, and what to do about it.
 struct Diagnostic {

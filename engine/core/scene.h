@@ -114,6 +114,15 @@ struct LimitSettings {
   double maxOverlap = 0.1;    // of a diameter: the run stops
 };
 
+/// How often steps have been halved; see refinement.h. A gas step is a whole number of the particles' steps,
+/// so its are never more.
+struct Refinement {
+  std::int64_t particles = 0;
+  std::int64_t gas = 0;
+
+  bool operator==(const Refinement&) const = default;
+};
+
 struct Scene {
   std::string name;  // of the file or the bundled scene, not a key
   std::string title;
@@ -131,6 +140,7 @@ struct Scene {
   SamplingSettings sampling;
   std::optional<FluxSettings> flux;
   LimitSettings limits;
+  Refinement refinement;  // of the steps since the scene was read, not a key
 };
 
 // What follows from the settings.

@@ -133,7 +133,8 @@ Result<Particles> packBed(const Scene& scene, ThreadTeam& team) {
     return Diagnostic({},
                       fmt::format("start: while the bed settled, {} of particle {} became {:.3g} ({}); "
                                   "take a smaller time.step or a larger contacts.stiffness",
-                                  what(trouble->kind), trouble->particle, trouble->value, trouble->stage));
+                                  what(trouble->kind), trouble->particle, trouble->value, trouble->stage),
+                      Trouble::solution);
   return makeParticles(scene, inOrderOfIds(solver->particles()).position);
 }
 

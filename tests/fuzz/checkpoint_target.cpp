@@ -22,7 +22,7 @@ const Scene& sceneWith(bool effects) {
 
 /// Lets the checksum at the end fit again, so that what stands before it is looked at.
 void reseal(std::string& checkpoint) {
-  constexpr std::size_t sizeAt = 2 * sizeof(std::uint64_t), least = 6 * sizeof(std::uint64_t);
+  constexpr std::size_t sizeAt = 2 * sizeof(std::uint64_t), least = 8 * sizeof(std::uint64_t);
   std::uint64_t size = checkpoint.size();
   if (size < least + sizeof size) return;
   std::memcpy(checkpoint.data() + sizeAt, &size, sizeof size);
@@ -62,7 +62,7 @@ void mutate(std::string& input, Rng& rng) {
 
 int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const std::span bytes = std::as_bytes(std::span(data, size));
-  const bool isWhole = checkpointStep(bytes).has_value();
+  const bool isWhole = checkpointMark(bytes).has_value();
   for (const bool effects : {false, true}) {
     Result<Resumed> resumed = readCheckpoint(bytes, sceneWith(effects), 1);
     require(resumed || !resumed.problems.empty(), "a refusal has a reason");

@@ -24,6 +24,8 @@ RunSummary someSummary() {
   s.simd = "avx2";
   s.stateHash = 0x00c0ffee;
   s.endReason = "stopped";
+  s.retries = {{3.25, 3.0, "the gas has no finite solution", {{"time.step", 5e-6}, {"gas.step", 5e-5}}},
+               {3.5, 3.0, "particle 3 overlaps", {{"time.step", 2.5e-6}, {"gas.step", 5e-5}}}};
   return s;
 }
 
@@ -47,6 +49,7 @@ TEST(Summary, GivesBackWhatWasWritten) {
   EXPECT_EQ(read->simd, written.simd);
   EXPECT_EQ(read->stateHash, written.stateHash);
   EXPECT_EQ(read->endReason, written.endReason);
+  EXPECT_EQ(read->retries, written.retries);
 }
 
 TEST(Summary, NamesEveryResolvedSetting) {
