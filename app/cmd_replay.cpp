@@ -50,6 +50,8 @@ Result<Scene> sceneFor(const ReplayOptions& options, const Scene& recorded) {
 ExitCode replay(const ReplayOptions& options, const Console& console) {
   auto reader = TrajectoryReader::open(options.run);
   if (!reader) return console.fail(reader.problems);
+  for (const RunEvent& event : reader->events())
+    console.say(fmt::format("at {:g} s: {} {}", event.time, event.kind, event.detail));
   const auto changed = sceneFor(options, reader->scene());
   if (!changed) return console.fail(changed.problems);
   const Scene& scene = *changed;

@@ -24,7 +24,7 @@ struct RunEnd {
   std::optional<Refinement> cure;  // what may help then, where anything may
   double simulatedSeconds = 0.0;
   double wallSeconds = 0.0;  // from t = 0 on, those before the run was resumed included
-  std::int64_t steps = 0;  // of the particles
+  std::int64_t steps = 0;    // of the particles
   std::int64_t gasSteps = 0;
   StageSeconds stages{};
   StepReport report;

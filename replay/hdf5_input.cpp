@@ -143,6 +143,28 @@ std::string Hdf5Input::text(const std::string& path) const {
   return text;
 }
 
+std::vector<std::string> Hdf5Input::texts(const std::string& path) const {
+  const H5 dataset = openDataset(file_, path);
+  const H5 type(H5Dget_type(dataset), "read the type of " + path);
+  const std::vector<hsize_t> extent = extentOf(dataset, path);
+  if (H5Tget_class(type) != H5T_STRING || H5Tis_variable_str(type) != 0 || extent.size() != 1)
+    throw Hdf5Error(path + " does not hold texts of fixed length");
+  const std::size_t size = H5Tget_size(type);
+  if (size == 0 || extent[0] > storedBytes(file_, dataset) / size)
+    throw Hdf5Error(path + " is damaged: it is longer than the file");
+  checkLayout(dataset, type, extent[0] * size, path);
+  std::string all(extent[0] * size, '\0');
+  const H5 inMemory(H5Tcopy(type), "read " + path);
+  if (!all.empty())
+    checkHdf5(H5Dread(dataset, inMemory, H5S_ALL, H5S_ALL, H5P_DEFAULT, all.data()), "read " + path);
+  std::vector<std::string> texts;
+  for (std::size_t at = 0; at < all.size(); at += size) {
+    const std::string text = all.substr(at, size);
+    texts.push_back(text.substr(0, text.find('\0')));
+  }
+  return texts;
+}
+
 std::vector<std::int32_t> Hdf5Input::integers(const std::string& path, const char* attribute) const {
   const std::string what = "read " + path + '.' + attribute;
   const H5 at(H5Aopen_by_name(file_, path.c_str(), attribute, H5P_DEFAULT, H5P_DEFAULT), what);

@@ -51,6 +51,8 @@ class Hdf5Input {
 
   bool has(const std::string& path) const;
   std::string text(const std::string& path) const;
+  /// A list of texts of fixed length.
+  std::vector<std::string> texts(const std::string& path) const;
   std::vector<std::int32_t> integers(const std::string& path, const char* attribute) const;
   Hdf5Values fixed(const std::string& path, std::vector<hsize_t> extent) const {
     return {file_, path, std::move(extent), false};

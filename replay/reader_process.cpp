@@ -35,6 +35,12 @@ Result<Scene> parse(const SceneText& scene, const std::filesystem::path& file) {
 void putConstants(Channel& to, const RunConstants& constants) {
   to.putAll(constants.provenance.version);
   to.putAll(constants.provenance.commit);
+  to.put(constants.events.size());
+  for (const RunEvent& event : constants.events) {
+    to.put(event.time);
+    to.putAll(event.kind);
+    to.putAll(event.detail);
+  }
   to.putAll(constants.steps);
   to.putAll(constants.times);
   to.putAll(constants.species);
@@ -45,6 +51,12 @@ RunConstants getConstants(Channel& from) {
   RunConstants constants;
   constants.provenance.version = from.getAll<std::string>();
   constants.provenance.commit = from.getAll<std::string>();
+  for (auto left = from.get<std::size_t>(); left > 0; --left) {
+    RunEvent& event = constants.events.emplace_back();
+    event.time = from.get<double>();
+    event.kind = from.getAll<std::string>();
+    event.detail = from.getAll<std::string>();
+  }
   constants.steps = from.getAll<std::vector<std::int64_t>>();
   constants.times = from.getAll<std::vector<double>>();
   constants.species = from.getAll<std::vector<std::uint8_t>>();
@@ -61,7 +73,7 @@ std::vector<T> take(const float*& at, std::size_t count) {
 }
 
 Frame makeFrame(const RecordedRun& run, std::size_t index, const float* numbers) {
-  const auto& [provenance, steps, times, species, id] = run.constants;
+  const auto& [provenance, events, steps, times, species, id] = run.constants;
   const std::size_t n = species.size();
   Frame frame;
   frame.step = steps[index];

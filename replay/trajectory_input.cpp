@@ -34,6 +34,23 @@ Provenance readProvenance(const Hdf5Input& in) {
   }
 }
 
+/// Those that are there as a whole.
+std::vector<RunEvent> readEvents(const Hdf5Input& in) {
+  try {
+    const std::vector<std::string> kinds = in.texts(layout::eventKind),
+                                   details = in.texts(layout::eventDetail);
+    const Hdf5Values times = in.series(layout::eventTime, {});
+    std::vector<RunEvent> events(std::min({kinds.size(), details.size(), std::size_t{times.rows()}}));
+    for (std::size_t i = 0; i < events.size(); ++i) {
+      events[i] = {0.0, kinds[i], details[i]};
+      times.readRow(i, &events[i].time);
+    }
+    return events;
+  } catch (const Hdf5Error&) {
+    return {};
+  }
+}
+
 }  // namespace
 
 SceneText readSceneText(const Hdf5Input& in) {
@@ -66,6 +83,7 @@ TrajectoryInput::TrajectoryInput(const Hdf5Input& in, const Scene& scene)
   readTimes();
   readSpecies();
   constants_.provenance = readProvenance(in);
+  constants_.events = readEvents(in);
 }
 
 TrajectoryInput::GasSeries TrajectoryInput::openGas(const Hdf5Input& in, const Scene& scene) {
@@ -83,7 +101,7 @@ void TrajectoryInput::readTimes() {
   if (angularVelocity_) frames = std::min(frames, angularVelocity_->rows());
   if (gas_) frames = std::min({frames, gas_->voidage.rows(), gas_->pressure.rows(), gas_->velocity.rows()});
   if (frames == 0) throw Hdf5Error("holds no whole frame: its run ended before the first was written");
-  auto& [provenance, steps, times, species, id] = constants_;
+  auto& [provenance, events, steps, times, species, id] = constants_;
   steps.resize(frames);
   times.resize(frames);
   step.readRows(frames, steps.data());
@@ -98,7 +116,7 @@ void TrajectoryInput::readTimes() {
 }
 
 void TrajectoryInput::readSpecies() {
-  auto& [provenance, steps, times, species, id] = constants_;
+  auto& [provenance, events, steps, times, species, id] = constants_;
   species.resize(particles_);
   id.resize(particles_);
   in_.fixed(layout::species, {particles_}).readRow(0, species.data());

@@ -4,6 +4,7 @@
 #include "engine/core/scene.h"
 #include "replay/hdf5_input.h"
 #include "replay/provenance.h"
+#include "replay/run_event.h"
 
 #include <cstddef>
 #include <optional>
@@ -23,7 +24,8 @@ SceneText readSceneText(const Hdf5Input& in);
 
 /// What a trajectory says once.
 struct RunConstants {
-  Provenance provenance;  // empty where it cannot be read
+  Provenance provenance;         // empty where it cannot be read
+  std::vector<RunEvent> events;  // likewise
   std::vector<std::int64_t> steps;
   std::vector<double> times;  // s, as many
   std::vector<std::uint8_t> species;

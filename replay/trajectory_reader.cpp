@@ -70,6 +70,7 @@ TrajectoryReader& TrajectoryReader::operator=(TrajectoryReader&&) noexcept = def
 
 const Scene& TrajectoryReader::scene() const { return state_->run.scene; }
 const Provenance& TrajectoryReader::provenance() const { return state_->run.constants.provenance; }
+const std::vector<RunEvent>& TrajectoryReader::events() const { return state_->run.constants.events; }
 const std::vector<double>& TrajectoryReader::times() const { return state_->run.constants.times; }
 const std::optional<Diagnostic>& TrajectoryReader::failure() const { return state_->failure; }
 

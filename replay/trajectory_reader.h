@@ -5,6 +5,7 @@
 #include "engine/core/frame.h"
 #include "engine/core/scene.h"
 #include "replay/provenance.h"
+#include "replay/run_event.h"
 
 #include <cstddef>
 #include <filesystem>
@@ -31,6 +32,8 @@ class TrajectoryReader final : public FrameSource {
   const Scene& scene() const;
   /// What began to record it; empty where that cannot be read.
   const Provenance& provenance() const;
+  /// What happened to the run, in the order it did; empty where nothing did or that cannot be read.
+  const std::vector<RunEvent>& events() const;
   /// Times of the frames, s, strictly increasing. As many as there are frames, at least one.
   const std::vector<double>& times() const;
 

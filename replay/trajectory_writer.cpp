@@ -224,6 +224,7 @@ struct TrajectoryWriter::State {
     append(*time);
     append(*step);
     for (ByteStore& checkpoint : checkpoints) checkpoint.write(std::array<std::byte, 1>{});
+    events->append({});
     out.flush();
   }
 

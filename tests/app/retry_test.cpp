@@ -96,7 +96,16 @@ TEST_F(FaultsRetry, GoesBackToTheLastCheckpointAndSaysSo) {
   EXPECT_EQ(s.retries[0].from, 0.05);
   EXPECT_TRUE(contains(s.retries[0].reason, "use a smaller time.step"));
   EXPECT_EQ(s.retries[0].settings, (std::vector<std::pair<std::string, double>>{{"time.step", 2.5e-4}}));
+  const std::vector<RunEvent> events = open("r").events();
+  ASSERT_EQ(events.size(), 2u);
+  EXPECT_EQ(events[0].kind, "resume");
+  EXPECT_EQ(events[0].time, 0.05);
+  EXPECT_TRUE(contains(events[0].detail, "by bedmix "));
+  EXPECT_EQ(events[1].kind, "retry");
+  EXPECT_EQ(events[1].time, s.retries[0].time);
+  EXPECT_TRUE(contains(events[1].detail, "from 0.05 s with time.step = 0.00025: particle 0 moves "));
   expectWhole("r", 0.2);
+  EXPECT_TRUE(contains(bedmix({"replay", "r"}).err, "retry from 0.05 s with time.step = 0.00025"));
 }
 
 TEST_F(FaultsRetry, IsTheRunThatGoesOnByHandWithHalfTheStep) {

@@ -131,6 +131,22 @@ struct ResumedRun {
   int first, same, kept, last;
 };
 
+RunEvent eventAt(int frame) {
+  return {0.5 * frame, "note", std::string(static_cast<std::size_t>(frame), 'x')};
+}
+
+/// Whether the events of a file are some of those in their order.
+bool areEvents(const std::vector<RunEvent>& events, int kept) {
+  std::vector<int> frames;
+  for (const RunEvent& event : events) {
+    const int frame = static_cast<int>(2.0 * event.time);
+    if (event != eventAt(frame)) return false;
+    if (!frames.empty() && frame <= frames.back() && frame < kept) return false;
+    frames.push_back(frame);
+  }
+  return true;
+}
+
 /// How many of the first frames of a file, all of which can be read, are as they must be.
 std::size_t framesThere(const std::filesystem::path& path, const Scene& scene) {
   auto reader = TrajectoryReader::open(path);
@@ -153,6 +169,7 @@ TEST_P(ResumedCrashPoints, AfterAnyPieceOfAnyWriteTheRunCanBeResumed) {
   std::vector<Change> log;
   const auto write = [&](TrajectoryWriter& writer, int frame) {
     writer.accept(syntheticFrame(scene, frame));
+    if (frame % 4 == 1) writer.note(eventAt(frame));
     if (frame % 2 == 1) writer.keep(numbered(static_cast<std::uint8_t>(frame), 6000 + frame * 3001 % 9000));
   };
   std::size_t resumedAt = 0;
@@ -192,9 +209,10 @@ TEST_P(ResumedCrashPoints, AfterAnyPieceOfAnyWriteTheRunCanBeResumed) {
       const std::size_t frames = framesThere(left, scene);
       ASSERT_GE(frames, static_cast<std::size_t>(std::max(same, reported))) << "change " << done;
       ASSERT_LE(frames, static_cast<std::size_t>(std::max(same, reported) + 1)) << "change " << done;
+      auto reader = TrajectoryReader::open(left);
+      ASSERT_TRUE(areEvents(reader->events(), kept)) << "change " << done;
       std::vector<int> numbers;
-      for (const auto& bytes : TrajectoryReader::open(left)->checkpoints())
-        numbers.push_back(numberOf(bytes));
+      for (const auto& bytes : reader->checkpoints()) numbers.push_back(numberOf(bytes));
       ASSERT_GE(*std::max_element(numbers.begin(), numbers.end()), kept - 1) << "change " << done;
 
       if (++moments % 3 != 0) continue;
