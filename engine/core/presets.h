@@ -38,9 +38,9 @@ constexpr Preset preset(std::string_view integrator, std::string_view step, std:
 /// By Accuracy.
 inline constexpr std::array presets{
     detail::preset("'verlet-onset'", "'auto'", "0.1", "'auto'", "0.4", "'projection'", "1e-4"),
-    detail::preset("'verlet-onset'", "'auto'", "0.01", "'auto'", "0.1", "'projection'", "1e-6"),
-    detail::preset("'rk4'", "1e-5", "0.01", "1e-4", "0.1", "'simple'", "1e-6"),
-    detail::preset("'verlet-onset'", "'auto'", "1e-4", "'auto'", "0.02", "'simple'", "1e-8"),
+    detail::preset("'verlet-onset'", "'auto'", "0.003", "'auto'", "0.015", "'projection'", "1e-6"),
+    detail::preset("'rk4'", "1e-5", "0.003", "1e-4", "0.015", "'simple'", "1e-6"),
+    detail::preset("'verlet-onset'", "'auto'", "2e-4", "'auto'", "0.005", "'projection'", "1e-8"),
 };
 
 constexpr const Preset& presetOf(Accuracy accuracy) { return presets[static_cast<std::size_t>(accuracy)]; }

@@ -50,7 +50,7 @@ struct TimeSettings {
   double duration = 10.0;  // s
   StepLength step = 1e-5;  // s, of the particles
   Integrator integrator = Integrator::velocityVerlet;
-  double error = 0.01;  // of an automatic step: of the speed after a contact, over sqrt(g d)
+  double error = 0.003;  // of an automatic step: of the speed after a contact, over sqrt(g d)
 };
 
 struct StartSettings {
@@ -84,7 +84,7 @@ struct GasSettings {
   double density = 1.205;      // kg/m3
   double viscosity = 1.82e-5;  // Pa s
   StepLength step = 1e-4;      // s, a multiple of the particles' step
-  double error = 0.1;          // of an automatic step: change of the drag within it, relative
+  double error = 0.015;        // of an automatic step: change of the drag within it, relative
   GasScheme scheme = GasScheme::projection;
   TimeScheme timeScheme = TimeScheme::crankNicolson;
   DragLaw drag = DragLaw::ergunWenYu;

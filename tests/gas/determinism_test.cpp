@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include <utility>
 #include <vector>
 
 namespace bedmix {
@@ -73,6 +74,23 @@ TEST(Determinism, SimdLevelsChangeNoBitOfTwoThousandSteps) {
   ASSERT_TRUE(useSimdLevel(before));
 }
 
+TEST(Determinism, ChosenStepsAreTheSameForAnyThreadsAndVectors) {
+  Scene scene = largeScene();
+  scene.time.step = scene.gas->step = StepLength::automatic();
+  const auto endOf = [&](int threads) {
+    Simulation simulation = test::simulate(scene, threads);
+    EXPECT_EQ(simulation.advance(stepsPerFrame(scene)), std::nullopt);
+    EXPECT_GT(simulation.contacts(), 300);
+    return std::pair(simulation.stateHash(), simulation.particleSteps());
+  };
+  const auto one = endOf(1);
+  EXPECT_EQ(endOf(3), one);
+  const SimdLevel before = simdLevel();
+  ASSERT_TRUE(useSimdLevel(SimdLevel::baseline));
+  EXPECT_EQ(endOf(1), one);
+  ASSERT_TRUE(useSimdLevel(before));
+}
+
 TEST(Determinism, AStartOfOnesOwnIsAStartLikeAnyOther) {
   Simulation packed = test::simulate(smallScene());
   Simulation given = Simulation::make(smallScene(), *packBed(smallScene()), 2);
@@ -124,6 +142,26 @@ TEST(Worker, HandsOutEveryFrameInOrderAndEndsLikeTheSimulation) {
   ASSERT_EQ(simulation.advance(totalSteps(scene)), std::nullopt);
   EXPECT_EQ(worker.end().stateHash, simulation.stateHash());
   EXPECT_EQ(worker.end().reason, EndReason::finished);
+}
+
+TEST(Worker, FramesFallOnTheirTimesWhereStepsAreChosen) {
+  Scene scene = smallScene();
+  scene.time.step = scene.gas->step = StepLength::automatic();
+  scene.time.integrator = Integrator::verletOnset;
+  Worker worker(scene);
+  int frames = 0;
+  while (FramePtr frame = worker.next()) {
+    EXPECT_EQ(frame->step, 5040 * frames);
+    EXPECT_EQ(frame->time, frames * 0.01);
+    ++frames;
+  }
+  EXPECT_EQ(frames, 6);
+  const RunEnd& end = worker.end();
+  EXPECT_EQ(end.reason, EndReason::finished) << end.message;
+  EXPECT_EQ(end.simulatedSeconds, 0.05);
+  EXPECT_LT(end.steps, 5000);  // those of 1e-5 s
+  EXPECT_GE(end.steps, 0.05 / longestStep(scene));
+  EXPECT_LE(end.gasSteps, end.steps);
 }
 
 TEST(Worker, StopsOnRequestWithTheFramesInHand) {

@@ -36,6 +36,7 @@ void expectResumes(const Scene& scene, std::int64_t steps, std::int64_t before, 
   EXPECT_EQ(second.stateHash(), whole.stateHash()) << before << " of " << steps << " steps";
   EXPECT_EQ(second.step(), steps);
   EXPECT_EQ(second.gasSteps(), whole.gasSteps());
+  EXPECT_EQ(second.particleSteps(), whole.particleSteps());
   EXPECT_EQ(second.contacts(), whole.contacts());
   EXPECT_EQ(second.report().largestOverlap, whole.report().largestOverlap);
   EXPECT_EQ(second.report().largestOverlapParticle, whole.report().largestOverlapParticle);
@@ -90,8 +91,22 @@ INSTANTIATE_TEST_SUITE_P(
                       Effects{"Rk4Simple", Integrator::rk4, true, GasScheme::simple}),
     [](const auto& param) { return std::string(param.param.name); });
 
-/// Several blocks, contacts across them, and a gas grid that is solved by iteration and shared by threads.
-TEST(ResumeLarge, GoesOnToTheBitOnAnyThreads) {
+/// Steps that are chosen are cut where a call ends: a run is saved where frames do.
+TEST(ResumeChosenSteps, GoesOnToTheBitAtFrames) {
+  for (const bool gas : {true, false})
+    for (const bool particles : {true, false}) {
+      Scene scene = sceneWith({"", Integrator::verletOnset, true, GasScheme::projection});
+      if (gas) scene.gas->step = StepLength::automatic();
+      if (particles) scene.time.step = StepLength::automatic();
+      for (const std::int64_t before : {0, 1, 4})
+        expectResumes(scene, 6 * stepsPerFrame(scene), before * stepsPerFrame(scene), 1, 3);
+    }
+  Scene dry = sceneWith({"", Integrator::velocityVerlet, true, {}});
+  dry.time.step = StepLength::automatic();
+  expectResumes(dry, 6 * stepsPerFrame(dry), 2 * stepsPerFrame(dry), 1, 3);
+}
+
+Scene largeScene() {
   Scene scene = test::paperScene(2.6);
   scene.bed.width = 0.48;
   scene.bed.height = 1.32;
@@ -102,8 +117,16 @@ TEST(ResumeLarge, GoesOnToTheBitOnAnyThreads) {
   scene.gas->grid.rows = {{110, 0.012}};
   scene.gas->inlets = {{0.0, 0.48, 2.6, std::nullopt}};
   scene.start.arrangement = Arrangement::drop;
+  return scene;
+}
+
+/// Several blocks, contacts across them, and a gas grid that is solved by iteration and shared by threads.
+TEST(ResumeLarge, GoesOnToTheBitOnAnyThreads) {
+  Scene scene = largeScene();
   expectResumes(scene, 1000, 505, 1, 3);
   expectResumes(scene, 1000, 700, 3, 1);
+  scene.time.step = scene.gas->step = StepLength::automatic();
+  expectResumes(scene, stepsPerFrame(scene), 0, 1, 3);
 }
 
 TEST(ResumeChanges, InletsThatWereChangedStayChanged) {
