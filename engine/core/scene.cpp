@@ -17,8 +17,8 @@ double particleVolume(const Scene& scene) {
 double particleMass(const Scene& scene) { return particleVolume(scene) * scene.particles.density; }
 
 double dampingFor(double restitution, double stiffness, double reducedMass) {
-  const double logE = std::log(restitution);
-  return -2.0 * logE / std::sqrt(pi * pi + logE * logE) * std::sqrt(reducedMass * stiffness);
+  const double logE = std::abs(std::log(restitution));  // of an elastic one zero, not minus zero
+  return 2.0 * logE / std::sqrt(pi * pi + logE * logE) * std::sqrt(reducedMass * stiffness);
 }
 
 double pairDamping(const Scene& scene) {

@@ -42,6 +42,7 @@ TEST(SceneNumbers, DampingGivesBackItsRestitution) {
   scene.contacts.damping = 0.17;
   EXPECT_EQ(pairDamping(scene), 0.17);
   EXPECT_EQ(wallDamping(scene), 0.17);
+  EXPECT_FALSE(std::signbit(dampingFor(1.0, 2000.0, 5e-5)));  // steps are bounded by its inverse
 }
 
 TEST(SceneNumbers, SettingsOfOnesOwnComeFirst) {
