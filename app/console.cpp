@@ -3,8 +3,11 @@
 
 #include <fmt/core.h>
 
+#include <cerrno>
 #include <cstdio>
 #include <cstdlib>
+#include <filesystem>
+#include <system_error>
 #include <unistd.h>
 
 namespace bedmix {
@@ -17,6 +20,9 @@ bool wantsColour() {
   return !(noColour && *noColour) && term && std::string_view(term) != "dumb";
 }
 
+/// Where it cannot be said, a run is worth more than what is said of it.
+void tell(const std::string& line) { std::fputs((line + '\n').c_str(), stderr); }
+
 }  // namespace
 
 Console::Console() : isTerminal_(isatty(STDERR_FILENO) == 1), hasColour_(isTerminal_ && wantsColour()) {}
@@ -26,15 +32,15 @@ std::string Console::marked(std::string_view word, std::string_view colour) cons
 }
 
 void Console::say(std::string_view message) const {
-  if (!quiet) fmt::print(stderr, "{}\n", message);
+  if (!quiet) tell(std::string(message));
 }
 
 void Console::warn(std::string_view message) const {
-  if (!quiet) fmt::print(stderr, "{} {}\n", marked("warning:", "1;33"), message);
+  if (!quiet) tell(fmt::format("{} {}", marked("warning:", "1;33"), message));
 }
 
 ExitCode Console::fail(std::span<const Diagnostic> problems) const {
-  for (const Diagnostic& d : problems) fmt::print(stderr, "{} {}\n", marked("error:", "1;31"), toString(d));
+  for (const Diagnostic& d : problems) tell(fmt::format("{} {}", marked("error:", "1;31"), toString(d)));
   return problems.empty() ? ExitCode::done : exitCodeOf(problems.front().trouble);
 }
 
@@ -49,7 +55,10 @@ ExitCode Console::fail(std::string at, std::string message, Trouble trouble) con
 void Console::print(std::string_view data) const {
   std::fwrite(data.data(), 1, data.size(), stdout);
   if (!data.ends_with('\n')) std::fputc('\n', stdout);
-  std::fflush(stdout);
+  // A reader that leaves has had enough.
+  if ((std::fflush(stdout) != 0 || std::ferror(stdout) != 0) && errno != EPIPE)
+    throw std::filesystem::filesystem_error("cannot print", "stdout",
+                                            std::error_code(errno, std::generic_category()));
 }
 
 }  // namespace bedmix

@@ -8,8 +8,10 @@
 #include <fmt/core.h>
 
 #include <csignal>
+#include <fcntl.h>
 #include <filesystem>
 #include <new>
+#include <unistd.h>
 
 namespace bedmix {
 
@@ -29,7 +31,17 @@ std::string usageProblem(const CLI::App& program, const CLI::ParseError& error, 
   return fmt::format("{}; see bedmix {}--help", error.what(), command ? command->get_name() + " " : "");
 }
 
+/// Where a standard stream is closed, the next file to be opened would take its place, and with it all that
+/// is said.
+void openStandardStreams() {
+  int descriptor = 0;
+  do descriptor = open("/dev/null", O_RDWR);
+  while (descriptor >= 0 && descriptor <= STDERR_FILENO);
+  close(descriptor);
+}
+
 int run(int argc, char** argv) {
+  openStandardStreams();
   std::signal(SIGPIPE, SIG_IGN);  // a reader of stdout that leaves must not end a simulation,
   std::signal(SIGXFSZ, SIG_IGN);  // and a file that may not grow is a failed write like any other
 

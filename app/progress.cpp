@@ -35,7 +35,9 @@ void ProgressLine::show(double part, const std::string& text) {
   nextLine_ = part + 0.1;
   if (!console_.isTerminal()) return console_.say(text);
   const auto filled = static_cast<int>(std::min(1.0, part) * barWidth);
-  fmt::print(stderr, "\r\033[K[{:#<{}}{:.<{}}] {}", "", filled, "", barWidth - filled, text);
+  const std::string line =
+      fmt::format("\r\033[K[{:#<{}}{:.<{}}] {}", "", filled, "", barWidth - filled, text);
+  std::fputs(line.c_str(), stderr);
   std::fflush(stderr);
   lineOpen_ = true;
 }

@@ -83,6 +83,19 @@ TEST(Layering, LibrariesAreKnownInFewPlaces) {
               << file << " includes " << target;
 }
 
+/// Schedules and measurements go by a clock that never jumps; the calendar is for the log alone.
+TEST(Layering, TheWallClockIsReadInOnePlace) {
+  const std::regex forbidden(
+      R"(system_clock|high_resolution_clock|CLOCK_REALTIME|gettimeofday|std::time\(|ITIMER_REAL|\balarm\()");
+  for (const std::string part : {"engine", "render", "replay", "app"})
+    for (const auto& [file, targets] : includesUnder(part)) {
+      if (file == "app/attempts.cpp") continue;  // the date of a resume
+      const std::string text = readFile(fs::path(BEDMIX_SOURCE_DIR) / file);
+      std::smatch found;
+      EXPECT_FALSE(std::regex_search(text, found, forbidden)) << file << ": " << found.str();
+    }
+}
+
 TEST(Layering, NothingBelowTheProgramPrintsOrExits) {
   const std::regex forbidden(
       R"(\b(std::cout|std::cerr|printf|fmt::print|std::exit|std::abort|_exit|exit)\s*(\(|<<))");
