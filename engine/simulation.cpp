@@ -281,6 +281,7 @@ void Simulation::save(StateWriter& out) const {
   out.putAll(s.species);
   out.putAll(s.id);
   s.solver->save(out);
+  if (s.chosenStep) s.chosenStep->save(out);
   if (!s.gas) return;
   s.gas->solver.save(out);
   if (s.gas->chosenStep) s.gas->chosenStep->save(out);
@@ -302,7 +303,7 @@ bool Simulation::State::load(StateReader& in, std::int64_t stepsPerStep) {
          getCount(report.gasStepsNotConverged) && in.get(report.largestMassResidual) &&
          in.get(report.largestCourant) && in.get(report.lowestVoidage) && in.get(report.aboveGridLargest) &&
          in.get(report.largestSpeed) && in.get(report.largestSpeedParticle) && in.getAll(species) &&
-         in.getAll(id) && solver->load(in) &&
+         in.getAll(id) && solver->load(in) && (!chosenStep || chosenStep->load(in)) &&
          (!gas || (gas->solver.load(in) && (!gas->chosenStep || gas->chosenStep->load(in))));
 }
 

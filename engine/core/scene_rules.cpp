@@ -119,6 +119,10 @@ class Rules {
   // Steps are cut where a run ends and where a gas step does; on its way a run that is to be gone on with
   // must not be cut elsewhere.
   void chosenStep() {
+    if (scene_.time.integrator == Integrator::symplecticEuler)
+      add("time.integrator", {"time.step"},
+          "symplectic Euler's errors cancel over a contact as long as steps are equal, and chosen ones are "
+          "not; take another integrator or give time.step");
     const double interval = scene_.sampling.interval;
     if (!scene_.gas || scene_.gas->step.isAutomatic()) {
       if (areCountable("time.duration", scene_.time.duration, "sampling.interval", tick(scene_)))

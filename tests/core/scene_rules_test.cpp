@@ -116,6 +116,12 @@ INSTANTIATE_TEST_SUITE_P(
                   s.time.duration = 0.06;
                 },
                 "sampling.interval", "steps of 0.0003 s"},
+        Spoiled{"ChosenStepsOfEuler",
+                [](Scene& s) {
+                  s.time.step = s.gas->step = StepLength::automatic();
+                  s.time.integrator = Integrator::symplecticEuler;
+                },
+                "time.integrator", "errors cancel"},
         Spoiled{"EndlessChosenSteps",
                 [](Scene& s) {
                   s.time.step = s.gas->step = StepLength::automatic();
