@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "app/accuracy/diagrams.h"
 #include "app/accuracy/findings.h"
 #include "app/accuracy/study.h"
 #include "app/accuracy/tables.h"
@@ -69,6 +70,8 @@ ExitCode accuracy(const AccuracyOptions& options, const Console& console) {
   const Findings findings(design, log->samples(), study.plan().duration);
   console.print(tablesOf(design, findings));
   console.print(verdictOf(design, findings));
+  if (const auto drawn = drawDiagrams(*folder, design, findings); !drawn) return console.fail(drawn.problems);
+  console.say(fmt::format("samples and diagrams are in {}", folder->string()));
   return stopRequested() ? ExitCode::stopped : ExitCode::done;
 }
 

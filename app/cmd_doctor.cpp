@@ -3,9 +3,9 @@
 #include "app/scene_library.h"
 #include "app/version.h"
 #include "engine/core/simd.h"
+#include "render/gnuplot.h"
 #include "render/movie.h"
 #include "render/painter.h"
-#include "render/plot.h"
 #include "replay/trajectory_writer.h"
 
 #include <CLI/CLI.hpp>

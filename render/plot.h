@@ -42,7 +42,4 @@ struct Curve {
 Result<Done> writePlot(const std::filesystem::path& path, const PlotKind& kind,
                        std::span<const Curve> curves);
 
-/// Version of the gnuplot that is found, or why there is none.
-Result<std::string> probePlotter();
-
 }  // namespace bedmix

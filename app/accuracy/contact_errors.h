@@ -4,6 +4,8 @@
 #include "app/accuracy/sample.h"
 #include "engine/core/scene.h"
 
+#include <functional>
+
 namespace bedmix {
 
 /// What the scene's contacts, integrator and step make of single contacts, against closed forms: head-on
@@ -14,7 +16,8 @@ namespace bedmix {
 void measureContacts(const Scene& scene, Sample& into);
 
 /// Energy of a closed box of elastic spheres without friction, gravity and gas, in contacts as the scene's:
-/// its change after a hundred times sqrt(d/g), relative.
-void measureDrift(const Scene& scene, Sample& into);
+/// its change after a hundred times sqrt(d/g), relative. False where `stop` said so, looked at a hundred
+/// times.
+bool measureDrift(const Scene& scene, const std::function<bool()>& stop, Sample& into);
 
 }  // namespace bedmix

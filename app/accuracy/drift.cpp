@@ -12,9 +12,9 @@ namespace bedmix {
 
 namespace {
 
-constexpr int side = 8;           // spheres along a side of the box
-constexpr double spacing = 1.6;   // diameters
-constexpr double duration = 100;  // sqrt(d/g)
+constexpr int side = 8;          // spheres along a side of the box
+constexpr double spacing = 1.6;  // diameters
+constexpr int chunks = 100;      // of sqrt(d/g)
 
 /// J, over k/2 for springs and m/2 for motion.
 double energyOf(const Frame& frame, const Scene& scene) {
@@ -32,7 +32,7 @@ double energyOf(const Frame& frame, const Scene& scene) {
 
 }  // namespace
 
-void measureDrift(const Scene& like, Sample& into) {
+bool measureDrift(const Scene& like, const std::function<bool()>& stop, Sample& into) {
   Scene scene = like;
   scene.gas.reset();
   scene.flux.reset();
@@ -54,11 +54,16 @@ void measureDrift(const Scene& like, Sample& into) {
 
   Simulation simulation = Simulation::make(scene, std::move(start));
   const double before = energyOf(*simulation.frame(), scene);
-  if (auto trouble = simulation.advance(ticksIn(scene, duration * std::sqrt(d / g)))) {
-    into.failure = *trouble;
-    return;
+  const std::int64_t chunk = ticksIn(scene, std::sqrt(d / g));
+  for (int k = 0; k < chunks; ++k) {
+    if (stop()) return false;
+    if (auto trouble = simulation.advance(chunk)) {
+      into.failure = *trouble;
+      return true;
+    }
   }
   into.set(measure::drift, std::abs(energyOf(*simulation.frame(), scene) / before - 1.0));
+  return true;
 }
 
 }  // namespace bedmix

@@ -11,6 +11,7 @@ namespace bedmix {
 namespace {
 
 constexpr std::size_t fewest = 3;
+constexpr double nearlyNormal = 1000.0;  // degrees of freedom from which on quantiles differ by 0.2 %
 
 struct Moments {
   double mean = 0.0;
@@ -29,7 +30,8 @@ Moments momentsOf(std::span<const double> values) {
 }  // namespace
 
 // With t = sqrt(n) tan(angle) the density becomes cos^(n-1)(angle), of which only shares are needed.
-double studentQuantile(double degrees, double risk) {
+double studentQuantile(double degreesOfFreedom, double risk) {
+  const double degrees = std::min(degreesOfFreedom, nearlyNormal);
   const auto density = [&](double angle) { return std::pow(std::cos(angle), degrees - 1.0); };
   const auto integral = [&](double to) {  // Simpson's rule
     constexpr int halves = 200;

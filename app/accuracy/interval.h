@@ -28,7 +28,7 @@ std::optional<Estimate> difference(std::span<const double> a, std::span<const do
 
 /// The value that Student's t of so many degrees of freedom (2 or more) exceeds in magnitude with the chance
 /// `risk`.
-double studentQuantile(double degrees, double risk);
+double studentQuantile(double degreesOfFreedom, double risk);
 
 double median(std::span<const double> values);  // at least one
 

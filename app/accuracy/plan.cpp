@@ -37,8 +37,12 @@ StatisticsPlan planStatistics(const Design& design, const std::map<std::string, 
   if (plan.presetSeeds < presetRuns)
     plan.dropped.push_back(
         fmt::format("{} of {} runs of each preset", presetRuns - plan.presetSeeds, presetRuns));
-  while (wall() > budget && 0.9 * plan.duration > shortest * duration)
-    plan.duration = std::max(1.0, std::floor(0.9 * plan.duration / interval)) * interval;
+  for (auto frames = std::llround(duration / interval); wall() > budget;) {
+    frames = std::llround(0.9 * static_cast<double>(frames));
+    const double shorter = static_cast<double>(frames) * interval;
+    if (shorter < shortest * duration || shorter >= plan.duration) break;
+    plan.duration = shorter;
+  }
   if (plan.duration < duration)
     plan.dropped.push_back(fmt::format("runs end after {:.3g} of {:g} s", plan.duration, duration));
   if (wall() > budget) {

@@ -111,10 +111,8 @@ void Study::contacts() {
                        }});
     if (const SampleKey key{Panel::drift, setting.name, "", 0};
         !has(key) && design_.turnsContacts(setting.name))
-      tasks.push_back({key, cost, [&scene](Sample& sample) {
-                         measureDrift(scene, sample);
-                         return true;
-                       }});
+      tasks.push_back(
+          {key, cost, [this, &scene](Sample& sample) { return measureDrift(scene, options_.stop, sample); }});
   }
   std::stable_sort(tasks.begin(), tasks.end(), [](const Task& a, const Task& b) { return a.cost > b.cost; });
   runner_.run("single contacts", tasks, options_.cores);

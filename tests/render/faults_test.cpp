@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "render/film_sink.h"
+#include "render/gnuplot.h"
 #include "render/movie.h"
 #include "render/plot.h"
 #include "render/png.h"
