@@ -12,7 +12,8 @@ namespace bedmix {
 
 namespace {
 
-constexpr double mostDevelopment = 1.0;  // s
+constexpr double mostDevelopment = 1.0;             // s
+constexpr double shareWithGas = 0.25, share = 0.1;  // of a run; without gas it comes to rest
 
 }  // namespace
 
@@ -39,7 +40,7 @@ const Result<Particles>& StartStates::settled(const Setting& setting, int seedOf
 }
 
 double StartStates::developedAfter() const {
-  const double wanted = std::min(mostDevelopment, 0.25 * scene_.time.duration);
+  const double wanted = std::min(mostDevelopment, (scene_.gas ? shareWithGas : share) * scene_.time.duration);
   return std::max(1.0, std::round(wanted / scene_.sampling.interval)) * scene_.sampling.interval;
 }
 

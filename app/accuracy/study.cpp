@@ -21,6 +21,7 @@ constexpr double stretchWall = 0.3;     // s that a timed stretch of `standard` 
 constexpr std::size_t between = 3;      // settings timed between two runs of `standard`
 constexpr double timingShare = 0.2;     // of the budget, for repetitions of timings
 constexpr double divergenceTime = 0.5;  // s, the longest twins are followed
+constexpr double longestHorizon = 0.1;  // s
 constexpr double horizonShare = 0.5;    // of the time a trajectory can be predicted for
 
 }  // namespace
@@ -143,7 +144,8 @@ double Study::horizon() const {
     if (const auto time = s.values.find(measure::predictable.name);
         s.key.panel == Panel::divergence && time != s.values.end())
       times.push_back(time->second);
-  const double longest = starts_.developedAfter(), interval = scene_.sampling.interval;
+  const double longest = std::min(longestHorizon, starts_.developedAfter()),
+               interval = scene_.sampling.interval;
   const double wanted = times.empty() ? longest : std::min(longest, horizonShare * median(times));
   return interval * std::max(1.0, std::floor(wanted / interval * (1.0 + 1e-9)));
 }

@@ -81,11 +81,18 @@ std::string ofThePaper(const Design& design, const Findings& findings) {
   return text + ".\n";
 }
 
+/// Whether there are runs enough of both to compare anything.
+bool areCompared(const Finding& one, const Finding& other) {
+  return std::any_of(observables.begin(), observables.end(),
+                     [&](const Observable& o) { return differenceOf(one, other, o).has_value(); });
+}
+
 std::string ofPresets(const Design& design, const Findings& findings) {
   std::string text;
   for (const std::string& name : design.presets) {
     const Finding& f = findings.of(name);
     if (name == design.reference || name == design.paper || !f.cost) continue;
+    if (f.failure.empty() && !areCompared(f, findings.of(design.reference))) continue;
     const std::string bias = apart(f, findings.of(design.reference));
     text += fmt::format("{}: cost {:.2g}; ", name, *f.cost);
     text += !f.failure.empty() ? "fails.\n"
