@@ -72,6 +72,17 @@ TEST_F(Commands, DoctorFindsWhatTheDemoNeeds) {
   for (const auto& part : nlohmann::json::parse(o.out)) EXPECT_EQ(part["works"], true) << part;
 }
 
+TEST_F(Commands, AccuracyShowsWhatItCostsAndGoesOn) {
+  const Outcome first = bedmix({"accuracy", "tiny", "-o", "price", "--budget", "3"});
+  ASSERT_EQ(first.exitCode, 0) << first.err;
+  EXPECT_TRUE(contains(first.out, "accuracy=standard"));
+  const std::string samples = readFile(folder / "price/accuracy.csv");
+  EXPECT_EQ(bedmix({"accuracy", "tiny", "-o", "price"}).exitCode, 2);  // would replace them
+  const Outcome more = bedmix({"accuracy", "tiny", "-o", "price", "--budget", "3", "--resume"});
+  ASSERT_EQ(more.exitCode, 0) << more.err;
+  EXPECT_TRUE(readFile(folder / "price/accuracy.csv").starts_with(samples));
+}
+
 TEST_F(Commands, CompletionScriptsKnowEveryOption) {
   const Outcome o = shell(
       "\"$BEDMIX\" completion bash > c.bash && bash -n c.bash && source c.bash && "
