@@ -13,6 +13,28 @@ namespace bedmix {
 
 namespace {
 
+/// A scene's own keys have three parts. The parser goes as deep as tables do, and its stack ends some 30,000
+/// tables down; values in values it counts itself, up to 256.
+constexpr int mostParts = 64;
+
+/// Where in `text` a dotted key has more parts; its size where none has. What looks like one in a text or a
+/// remark is taken for one.
+std::size_t tooDeep(std::string_view text) {
+  constexpr std::string_view quotesAndSpaces = "\"'-_ \t";
+  int parts = 1;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const char c = text[i];
+    if (c == '.' && i > 0 && text[i - 1] != '.')
+      ++parts;
+    else if (!std::isalnum(static_cast<unsigned char>(c)) && quotesAndSpaces.find(c) == quotesAndSpaces.npos)
+      parts = 1;
+    if (parts > mostParts) return i;
+  }
+  return text.size();
+}
+
+std::string tooManyParts() { return fmt::format("a key of more than {} parts; a scene has none", mostParts); }
+
 SourceLocation placeOf(const Override& override) {
   return {override.origin.empty() ? "--set " + override.path : override.origin};
 }
@@ -95,6 +117,11 @@ SourceLocation Problems::locate(std::string_view path, const toml::source_region
 }
 
 Result<toml::table> parseToml(std::string_view text, const std::string& file) {
+  if (const std::size_t at = tooDeep(text); at < text.size()) {
+    const std::size_t lineStart = text.substr(0, at).rfind('\n') + 1;  // 0 on the first line
+    const auto line = 1 + std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(at), '\n');
+    return Diagnostic{{file, static_cast<int>(line), static_cast<int>(at - lineStart + 1)}, tooManyParts()};
+  }
   try {
     return toml::parse(text);
   } catch (const toml::parse_error& error) {
@@ -105,6 +132,7 @@ Result<toml::table> parseToml(std::string_view text, const std::string& file) {
 }
 
 void applyOverride(toml::table& root, const Override& override, Problems& problems) {
+  if (tooDeep(override.path) < override.path.size()) return problems.add(override, tooManyParts());
   const std::vector<std::string_view> parts = segments(override.path);
   if (std::any_of(parts.begin(), parts.end(), [](std::string_view p) { return p.empty(); }))
     return problems.add(override, "a path is made of keys with dots between them, e.g. gas.step=5e-5");

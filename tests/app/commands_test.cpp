@@ -35,7 +35,7 @@ TEST_F(Commands, EveryBundledSceneIsValid) {
     EXPECT_EQ(report["valid"], true);
     EXPECT_GT(report["effort"]["run time"]["value"], 0.0) << scene["name"];
     EXPECT_GE(report["time scales"]["contact time scale T"]["value"].get<double>(),
-              14.0 * report["time scales"]["particle step"]["value"].get<double>());
+              14.0 * report["step margins"]["particle step"]["value"].get<double>());
   }
 }
 

@@ -170,6 +170,19 @@ TEST(SceneReader, RefusesWhatIsTooLongToBeAScene) {
   expectOnly(problemsOf(validScene + std::string(65536, '#')), "s.toml", "a scene has at most 65536");
 }
 
+TEST(SceneReader, RefusesTablesDeeperThanTheStack) {
+  std::string bare = "a", quoted = "'a'";
+  for (int i = 0; i < 32000; ++i) bare += ".a";
+  for (int i = 0; i < 9000; ++i) quoted += " . \"a\"";
+  for (const std::string& key : {bare + " = 1\n", '[' + bare + "]\n", quoted + " = 1\n"})
+    EXPECT_NE(problemsOf("# a remark\n" + key).at(0).find("more than 64 parts"), std::string::npos);
+  expectOnly(problemsOf("x = 1\n" + bare), "s.toml:2:128", "more than 64 parts");
+  expectOnly(problemsOf(validScene, {{bare, "1"}}), "--set " + bare, "more than 64 parts");
+  EXPECT_TRUE(readScene("# dots ............................................................ and on\n" +
+                            std::string(validScene),
+                        "s.toml"));
+}
+
 TEST(SceneReader, EmptyOverrideRemoves) {
   const auto scene = readScene(validScene, "s.toml",
                                {{"contacts.restitution", ""}, {"contacts.damping", "0.17"}, {"gas", ""}});
