@@ -66,7 +66,8 @@ TEST_F(Study4, WhatNoiseHidesIsNoGain) {
   const std::string said = verdict();
   EXPECT_TRUE(has(said, "costs 6 x accuracy=standard for no measurable gain")) << said;
   EXPECT_TRUE(has(said, "cannot be told from noise")) << said;
-  EXPECT_TRUE(has(said, "in nothing told apart from accuracy=reference is accuracy=standard (cost 1)")) << said;
+  EXPECT_TRUE(has(said, "in nothing told apart from accuracy=reference is accuracy=standard (cost 1)"))
+      << said;
   EXPECT_TRUE(has(said, "accuracy=draft: cost 0.5; told apart from accuracy=reference in mixing time"))
       << said;
 }
