@@ -87,7 +87,7 @@ void addAccuracyCommand(CLI::App& program, CommandContext context) {
       ->type_name("DIR");
   command
       ->add_option("--budget", options->budget,
-                   "Wall seconds; says what it drops, runs of each setting first")
+                   "Wall seconds; says what it drops, statistics of all but the presets first")
       ->type_name("S")
       ->check(CLI::PositiveNumber);
   command->add_flag("--resume", options->resume,

@@ -55,6 +55,15 @@ std::string drawing(const DiagramSeries& series, std::size_t number) {
                      look);
 }
 
+/// Labels for an axis that shows less than two decades: 1, 2 and 5 times powers of ten.
+std::string shortLogTics(char axis, double from, double to) {
+  std::string tics;
+  for (double decade = std::pow(10.0, std::floor(std::log10(from))); decade <= to; decade *= 10.0)
+    for (const double tic : {decade, 2.0 * decade, 5.0 * decade})
+      if (tic >= from && tic <= to) tics += fmt::format("{}{:.6g}", tics.empty() ? "" : ", ", tic);
+  return fmt::format("set {}tics ({})\n", axis, tics);
+}
+
 /// A logarithmic axis that shows a decade at least.
 std::string logAxis(char axis, const DiagramPanel& panel) {
   double low = std::numeric_limits<double>::infinity(), high = 0.0;
@@ -66,20 +75,25 @@ std::string logAxis(char axis, const DiagramPanel& panel) {
         high = std::max(high, value);
       }
   const double margin = std::max(1.5, std::sqrt(12.0 * low / high));
-  return fmt::format("set logscale {0}\nset {0}range [{1}:{2}]\n", axis, low / margin, high * margin);
+  const double from = low / margin, to = high * margin;
+  return fmt::format("set logscale {0}\nset {0}range [{1}:{2}]\nset format {0} '%g'\n", axis, from, to) +
+         (to < 100.0 * from ? shortLogTics(axis, from, to) : "");
 }
 
 void addPanel(std::string& text, const DiagramPanel& panel, std::size_t index) {
   std::string blocks, plot;
-  std::size_t lines = 0, marks = 0, entries = 0;
+  std::size_t lines = 0, marks = 0, entries = 0;  // those without points keep their colours and rings
   for (std::size_t s = 0; s < panel.series.size(); ++s) {
     const DiagramSeries& series = panel.series[s];
     const std::string name = fmt::format("$p{}s{}", index, s);
-    const bool isMark = series.style == Style::marked;
+    std::size_t number = 0;
+    if (series.style == Style::marked)
+      number = marks++;
+    else if (series.style != Style::background)
+      number = lines++;
     if (!addBlock(blocks, name, series, panel)) continue;
     ++entries;
-    plot += fmt::format("{} {} {} {}", plot.empty() ? "plot" : ",", name,
-                        drawing(series, isMark ? marks++ : lines++),
+    plot += fmt::format("{} {} {} {}", plot.empty() ? "plot" : ",", name, drawing(series, number),
                         series.label.empty() ? "notitle" : "title " + plotText(series.label));
   }
   if (plot.empty()) {
@@ -90,7 +104,7 @@ void addPanel(std::string& text, const DiagramPanel& panel, std::size_t index) {
   fmt::format_to(std::back_inserter(text), "set title {}\nset xlabel {}\nset ylabel {}\n",
                  plotText(panel.title), plotText(panel.xLabel), plotText(panel.yLabel));
   if (panel.logX) text += logAxis('x', panel);
-  if (panel.logY) text += logAxis('y', panel) + "set format y '%.0e'\n";
+  if (panel.logY) text += logAxis('y', panel);
   if (!panel.logY)
     text += "set offsets 0, 0, graph 0.05, graph 0.05\nset xzeroaxis linewidth 1 linecolor rgb '#808080'\n";
   const std::size_t rows = (entries + 1) / 2;

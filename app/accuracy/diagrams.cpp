@@ -52,8 +52,12 @@ class Diagrams {
   std::vector<DiagramPanel> trajectories() const {
     std::vector<DiagramPanel> panels;
     const auto add = [&](std::string title, const std::function<bool(const Sweep&)>& has) {
-      panels.push_back(
-          {std::move(title), "wall s per simulated s", "distance from the reference, d", true, true, {}});
+      panels.push_back({std::move(title),
+                        "wall s per simulated s",
+                        "distance from the reference, d (median)",
+                        true,
+                        true,
+                        {}});
       addSweeps(panels.back(), cost(), nullptr, has);
     };
     add(fmt::format("steps of the particles, after {:g} s", findings_.horizon().value_or(0.0)), turnsSteps);
@@ -70,14 +74,16 @@ class Diagrams {
     const Finding& reference = findings_.of(design_.reference);
     for (const Observable& o : observables) {
       const double scale = o.relative ? 100.0 : 1.0;
-      DiagramPanel panel{
-          std::string(o.title),
-          "wall s per simulated s",
-          o.relative ? "difference from the reference, %" : fmt::format("difference, {}", o.of.unit),
-          true,
-          false,
-          {}};
-      DiagramSeries others{"other settings", Style::background, {}};
+      DiagramPanel panel{std::string(o.title),
+                         "wall s per simulated s",
+                         o.relative ? "difference from the reference, %"
+                                    : "difference from the reference" +
+                                          (o.of.unit.empty() ? "" : fmt::format(", {}", o.of.unit)),
+                         true,
+                         false,
+                         {}};
+      DiagramSeries others{"other settings", Style::background, {}},
+          itself{std::string(sceneItself), Style::points, {}};
       for (const std::string& name : design_.statistics) {
         const Finding& f = findings_.of(name);
         const auto d = differenceOf(f, reference, o);
@@ -87,13 +93,15 @@ class Diagrams {
                                  scale * (d->mean + d->halfWidth)};
         const bool isPreset =
             std::find(design_.presets.begin(), design_.presets.end(), name) != design_.presets.end();
-        if (isPreset || name == sceneItself)
+        if (isPreset)
           panel.series.push_back({name, Style::points, {point}});
         else
-          others.points.push_back(point);
+          (name == sceneItself ? itself : others).points.push_back(point);
       }
+      if (panel.series.empty()) continue;
       panel.series.insert(panel.series.begin(), std::move(others));
-      if (panel.series.size() > 1) panels.push_back(std::move(panel));
+      panel.series.push_back(std::move(itself));
+      panels.push_back(std::move(panel));
     }
     return panels;
   }

@@ -23,7 +23,7 @@ struct Observable {
   bool relative;  // differences are given over the reference's mean, which is not about zero
 };
 inline constexpr std::array observables{Observable{measure::mixingTime, "mixing time", true},
-                                        Observable{measure::ashton, "mean A", true},
+                                        Observable{measure::ashton, "mean A", false},
                                         Observable{measure::pressureDrop, "pressure drop", true},
                                         Observable{measure::pressureSd, "its deviation", true},
                                         Observable{measure::pressureFrequency, "its frequency", true},

@@ -32,8 +32,11 @@ StatisticsPlan planStatistics(const Design& design, const std::map<std::string, 
         sum += cost->second * plan.duration * plan.seeds(design, setting);
     return others * sum / cores;
   };
+  if (wall() > budget) {
+    plan.otherSeeds = 0;
+    plan.dropped.emplace_back("statistics of all settings but the presets");
+  }
   while (wall() > budget && plan.presetSeeds > fewestRuns) --plan.presetSeeds;
-  plan.otherSeeds = std::min(plan.otherSeeds, plan.presetSeeds);
   if (plan.presetSeeds < presetRuns)
     plan.dropped.push_back(
         fmt::format("{} of {} runs of each preset", presetRuns - plan.presetSeeds, presetRuns));
@@ -45,10 +48,6 @@ StatisticsPlan planStatistics(const Design& design, const std::map<std::string, 
   }
   if (plan.duration < duration)
     plan.dropped.push_back(fmt::format("runs end after {:.3g} of {:g} s", plan.duration, duration));
-  if (wall() > budget) {
-    plan.otherSeeds = 0;
-    plan.dropped.emplace_back("statistics of all settings but the presets");
-  }
   return plan;
 }
 

@@ -18,9 +18,9 @@ struct StatisticsPlan {
   int seeds(const Design& design, const std::string& setting) const;
 };
 
-/// The fullest plan that fits. What goes first are runs down to four of each, then their duration down to
-/// four tenths of the scene's, then the settings that are no presets. `costs` are wall seconds per simulated
-/// second and setting, `budget` seconds on `cores` at once.
+/// The fullest plan that fits. What goes first are the settings that are no presets, then runs of presets
+/// down to four of each, then their duration down to four tenths of the scene's. `costs` are wall seconds per
+/// simulated second and setting, `budget` seconds on `cores` at once.
 StatisticsPlan planStatistics(const Design& design, const std::map<std::string, double>& costs,
                               double duration, double interval, double budget, int cores);
 

@@ -36,7 +36,8 @@ inline constexpr Measure drift{"energy_drift", "", "change of energy in an elast
 inline constexpr Measure growth{"growth_rate", "1/s", "of the distance of twin runs"};
 inline constexpr Measure predictable{"predictable", "s", "until 1e-6 of a diameter has become a tenth"};
 inline constexpr Measure horizon{"horizon", "s", "at which trajectories are compared"};
-inline constexpr Measure position{"position_error", "d", "rms distance from the reference's particles"};
+inline constexpr Measure position{
+    "position_error", "d", "distance from its place in the reference that half of the particles exceed"};
 inline constexpr Measure mixingTime{"mixing_time", "s", "first A >= 0.9"};
 inline constexpr Measure ashton{"ashton_mean", "", "mean A"};
 inline constexpr Measure lacey{"lacey_mean", "", "mean M"};

@@ -74,7 +74,8 @@ std::string statistics(const Design& design, const Findings& findings) {
     if (const auto runs = reference.runs.find(o.of.name);
         runs != reference.runs.end() && runs->second.size() >= 3) {
       shown.push_back(&o);
-      headings.push_back(fmt::format("{}, {}", o.title, o.relative ? "%" : o.of.unit));
+      const std::string_view unit = o.relative ? "%" : o.of.unit;
+      headings.push_back(std::string(o.title) + (unit.empty() ? "" : fmt::format(", {}", unit)));
     }
   if (shown.empty()) return "";
   TextTable table(headings);
@@ -151,7 +152,8 @@ std::string tablesOf(const Design& design, const Findings& findings) {
       "; rebound, sliding: errors of single contacts against closed forms;\ndrift: energy of an elastic box; "
       "trajectory: ";
   if (const auto horizon = findings.horizon())
-    text += fmt::format("distance from the reference's after {:g} s, diameters", *horizon);
+    text += fmt::format("distance of half of the particles from the reference's after {:g} s, diameters",
+                        *horizon);
   if (const auto growth = findings.growth(); growth && *growth > 0.0)
     text += fmt::format(" (twin runs part e-fold in {:.2g} s)", 1.0 / *growth);
   return text + "\n\n" + numerics(design, findings) + orders(findings) + statistics(design, findings) +

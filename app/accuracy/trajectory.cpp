@@ -10,6 +10,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <span>
 
 namespace bedmix {
 
@@ -20,16 +21,21 @@ constexpr double fitFrom = 3e-6, fitTo = 1e-2;  // diameters
 constexpr double predictableTo = 0.1;           // diameters
 constexpr int looks = 200;
 
+double rootMeanSquare(std::span<const double> values) {
+  double sum = 0.0;
+  for (const double v : values) sum += v * v;
+  return std::sqrt(sum / static_cast<double>(values.size()));
+}
+
 }  // namespace
 
-double distance(const Frame& a, const Frame& b, double diameter) {
-  double sum = 0.0;
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    const double dx = static_cast<double>(a.position[i].x) - b.position[i].x;
-    const double dy = static_cast<double>(a.position[i].y) - b.position[i].y;
-    sum += dx * dx + dy * dy;
-  }
-  return a.size() == 0 ? 0.0 : std::sqrt(sum / static_cast<double>(a.size())) / diameter;
+std::vector<double> distances(const Frame& a, const Frame& b, double diameter) {
+  std::vector<double> apart;
+  for (std::size_t i = 0; i < a.size(); ++i)
+    apart.push_back(std::hypot(static_cast<double>(a.position[i].x) - b.position[i].x,
+                               static_cast<double>(a.position[i].y) - b.position[i].y) /
+                    diameter);
+  return apart;
 }
 
 Result<Divergence> measureDivergence(const Scene& scene, const Particles& start, double longest) {
@@ -45,7 +51,7 @@ Result<Divergence> measureDivergence(const Scene& scene, const Particles& start,
   for (int look = 0; look < looks; ++look) {
     for (Simulation* twin : {&one, &other})
       if (auto trouble = twin->advance(chunk)) return Diagnostic{{scene.name}, *trouble};
-    const double apart = distance(*one.frame(), *other.frame(), scene.particles.diameter);
+    const double apart = rootMeanSquare(distances(*one.frame(), *other.frame(), scene.particles.diameter));
     if (apart > fitTo) break;
     if (apart < fitFrom) continue;
     times.push_back(one.time());

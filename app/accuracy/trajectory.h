@@ -6,8 +6,7 @@
 #include "engine/core/scene.h"
 #include "engine/dem/particles.h"
 
-#include <string>
-#include <variant>
+#include <vector>
 
 namespace bedmix {
 
@@ -25,7 +24,7 @@ Result<Divergence> measureDivergence(const Scene& scene, const Particles& start,
 /// The scene's frame at the horizon, s, or why there is none.
 Result<FramePtr> frameAt(const Scene& scene, const Particles& start, double horizon);
 
-/// Root mean square distance of the particles of two frames, diameters.
-double distance(const Frame& a, const Frame& b, double diameter);
+/// Of the particles of two frames, in their order, diameters.
+std::vector<double> distances(const Frame& a, const Frame& b, double diameter);
 
 }  // namespace bedmix

@@ -55,6 +55,12 @@ std::string forTheGoal(const Design& design, const Findings& findings, const Obs
       "1 % in {} cannot be told from noise here: half of the differences have intervals of ±{:.2g} % or "
       "more.",
       o.title, percent * median(resolved));
+  // The width of an interval goes with one over the square root of the runs.
+  const Finding& standard = findings.of(design.standard);
+  if (const auto d = differenceOf(standard, reference, o); d && d->halfWidth > goal)
+    text += fmt::format(
+        " It would take about {:.0f} runs of each.",
+        std::pow(d->halfWidth / goal, 2.0) * static_cast<double>(standard.runs.at(o.of.name).size()));
   if (cheapest)
     text += fmt::format(" The cheapest setting that is in nothing told apart from {} is {} (cost {:.2g}).",
                         design.reference, cheapest->setting, *cheapest->cost);

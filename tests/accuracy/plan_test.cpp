@@ -41,16 +41,17 @@ TEST(Plan, KeepsTheBudgetAndSaysWhatItDropped) {
   EXPECT_EQ(before, 3u);
 }
 
-TEST(Plan, RunsGoBeforeTheirLengthAndThatBeforeSettings) {
-  const auto fewer = planStatistics(twoPresetsAndOther(), costs, 10.0, 0.01, 100.0, 4);
-  EXPECT_LT(fewer.presetSeeds, 8);
-  EXPECT_EQ(fewer.duration, 10.0);
-  const auto shorter = planStatistics(twoPresetsAndOther(), costs, 10.0, 0.01, 50.0, 4);
-  EXPECT_LT(shorter.duration, 10.0);
-  EXPECT_GT(shorter.otherSeeds, 0);
-  const auto presets = planStatistics(twoPresetsAndOther(), costs, 10.0, 0.01, 20.0, 4);
+TEST(Plan, SettingsGoBeforeRunsOfPresetsAndThoseBeforeTheirLength) {
+  const auto presets = planStatistics(twoPresetsAndOther(), costs, 10.0, 0.01, 80.0, 4);
   EXPECT_EQ(presets.otherSeeds, 0);
   EXPECT_EQ(presets.seeds(twoPresetsAndOther(), "c"), 0);
+  EXPECT_EQ(presets.seeds(twoPresetsAndOther(), "a"), 8);
+  const auto fewer = planStatistics(twoPresetsAndOther(), costs, 10.0, 0.01, 50.0, 4);
+  EXPECT_LT(fewer.presetSeeds, 8);
+  EXPECT_EQ(fewer.duration, 10.0);
+  const auto shorter = planStatistics(twoPresetsAndOther(), costs, 10.0, 0.01, 20.0, 4);
+  EXPECT_EQ(shorter.presetSeeds, 4);
+  EXPECT_LT(shorter.duration, 10.0);
 }
 
 }  // namespace
