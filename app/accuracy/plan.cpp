@@ -19,6 +19,7 @@ constexpr double others = 1.25;   // a run takes so much longer beside others th
 int StatisticsPlan::seeds(const Design& design, const std::string& setting) const {
   const bool isPreset =
       std::find(design.presets.begin(), design.presets.end(), setting) != design.presets.end();
+  if (setting == design.paper) return std::min(presetSeeds, fewestRuns);
   return isPreset ? presetSeeds : otherSeeds;
 }
 

@@ -15,6 +15,8 @@ struct StatisticsPlan {
   double duration = 0.0;                // of a run, simulated s
   std::vector<std::string> dropped;     // what the budget did not allow, for people
 
+  /// The paper's takes longer than all other presets together, and nothing is compared with it alone: four at
+  /// most.
   int seeds(const Design& design, const std::string& setting) const;
 };
 

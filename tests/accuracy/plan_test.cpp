@@ -27,6 +27,10 @@ TEST(Plan, WithoutABudgetDropsNothing) {
   EXPECT_TRUE(plan.dropped.empty());
   EXPECT_EQ(plan.duration, 10.0);
   EXPECT_GT(plan.presetSeeds, plan.otherSeeds);
+  Design withPaper = twoPresetsAndOther();
+  withPaper.paper = "b";
+  EXPECT_EQ(plan.seeds(withPaper, "a"), 8);
+  EXPECT_EQ(plan.seeds(withPaper, "b"), 4);
 }
 
 TEST(Plan, KeepsTheBudgetAndSaysWhatItDropped) {
