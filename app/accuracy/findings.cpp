@@ -36,13 +36,13 @@ Findings::Findings(const Design& design, const std::vector<Sample>& samples, dou
   std::map<std::string, std::map<std::string_view, std::vector<double>>> numbers;
   std::map<std::string, std::vector<double>> costs;
   std::vector<double> walls, growths;
-  for (const Setting& s : design.settings) findings_.push_back({s.name, {}, {}, {}, {}, {}});
+  for (const Setting& s : design.settings) findings_.push_back({s.name, {}, {}, {}, {}, {}, {}});
   for (const Sample& s : samples) {
     const auto finding = std::find_if(findings_.begin(), findings_.end(),
                                       [&](const Finding& f) { return f.setting == s.key.setting; });
     if (finding == findings_.end()) continue;
-    if (!s.failure.empty() && finding->failure.empty() && s.key.panel != Panel::drift)
-      finding->failure = s.failure;
+    std::string& failure = s.key.panel == Panel::drift ? finding->boxFailure : finding->failure;
+    if (failure.empty()) failure = s.failure;
     switch (s.key.panel) {
       case Panel::timing:
         if (!s.failure.empty()) break;

@@ -35,6 +35,7 @@ inline constexpr std::array observables{Observable{measure::mixingTime, "mixing 
 struct Finding {
   std::string setting;
   std::string failure;                                   // of its first run that did not last
+  std::string boxFailure;                                // of the elastic box, which scenes need not share
   std::optional<double> cost;                            // wall time over that of `standard`, median
   std::map<std::string_view, double> numbers;            // by measure: contacts, drift, dem_wall: medians
   std::map<std::string, double> trajectories;            // by reference: position errors, medians

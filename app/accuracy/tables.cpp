@@ -60,7 +60,8 @@ std::string numerics(const Design& design, const Findings& findings) {
       if (const auto at = f.trajectories.find(sweep.reference); at != f.trajectories.end())
         trajectory = fmt::format("{:.2g}", at->second);
       table.add({"  " + f.setting, costOf(f), number(f, measure::restitution), number(f, measure::oblique),
-                 number(f, measure::drift), f.failure.empty() ? trajectory : "fails, see below"});
+                 f.boxFailure.empty() ? number(f, measure::drift) : "unstable",
+                 f.failure.empty() ? trajectory : "fails, see below"});
     }
   }
   return table.text();
@@ -120,8 +121,11 @@ std::string failures(const Design& design, const Findings& findings) {
   std::string text;
   for (const Design::Refused& r : design.refused)
     text += fmt::format("\nrefused: {}\n  {}", r.setting, r.why);
-  for (const Finding& f : findings.all())
+  for (const Finding& f : findings.all()) {
     if (!f.failure.empty()) text += fmt::format("\nfails: {}\n  {}", f.setting, f.failure);
+    if (!f.boxFailure.empty())
+      text += fmt::format("\nunstable in an elastic box: {}\n  {}", f.setting, f.boxFailure);
+  }
   return text.empty() ? text : text + "\n";
 }
 

@@ -66,6 +66,7 @@ TEST_F(Study4, WhatNoiseHidesIsNoGain) {
   const std::string said = verdict();
   EXPECT_TRUE(has(said, "costs 6 x accuracy=standard for no measurable gain")) << said;
   EXPECT_TRUE(has(said, "cannot be told from noise")) << said;
+  EXPECT_TRUE(has(said, "It would take about")) << said;
   EXPECT_TRUE(has(said, "in nothing told apart from accuracy=reference is accuracy=standard (cost 1)"))
       << said;
   EXPECT_TRUE(has(said, "accuracy=draft: cost 0.5; told apart from accuracy=reference in mixing time"))
@@ -97,6 +98,16 @@ TEST_F(Study4, AnUnstableSettingIsARow) {
   const std::string tables = tablesOf(design_, findings());
   EXPECT_TRUE(has(tables, "fails: accuracy=draft\n  particle 7 overlaps at t = 0.31 s")) << tables;
   EXPECT_FALSE(has(verdict(), "draft: cost"));
+}
+
+TEST_F(Study4, UnstableInABoxButNotInTheSceneIsSaid) {
+  cost("draft", 0.5);
+  samples_.push_back({{Panel::drift, "accuracy=draft", "", 0}, "particle 7 overlaps at t = 1.5 s", {}});
+  const Findings found = findings();
+  EXPECT_TRUE(found.of("accuracy=draft").failure.empty());
+  const std::string tables = tablesOf(design_, found);
+  EXPECT_TRUE(has(tables, "unstable in an elastic box: accuracy=draft\n  particle 7 overlaps at t = 1.5 s"))
+      << tables;
 }
 
 TEST_F(Study4, OrdersAreFittedByKnob) {
