@@ -84,8 +84,8 @@ std::string statistics(const Design& design, const Findings& findings) {
   for (const std::string& name : design.statistics) {
     const Finding& f = findings.of(name);
     const auto runs = f.runs.find(measure::simulated.name);
-    std::vector<std::string> row{name, costOf(f),
-                                 runs == f.runs.end() ? "0" : std::to_string(runs->second.size())};
+    if (runs == f.runs.end()) continue;
+    std::vector<std::string> row{name, costOf(f), std::to_string(runs->second.size())};
     for (const Observable* o : shown) {
       if (name == design.reference) {
         const auto own = estimate(reference.runs.at(o->of.name));
