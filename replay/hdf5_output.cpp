@@ -41,6 +41,13 @@ H5 openFile(const std::filesystem::path& path, Origin origin) {
   return {H5Fopen(path.c_str(), H5F_ACC_RDWR, access), "open it for writing"};
 }
 
+/// Settings of a new dataset: without the time of day, which would tell two files of one run apart.
+H5 datasetSettings(const std::string& path) {
+  H5 settings(H5Pcreate(H5P_DATASET_CREATE), "set up " + path);
+  checkHdf5(H5Pset_obj_track_times(settings, false), "set up " + path);
+  return settings;
+}
+
 /// A dataset of so many dimensions that can grow along the first.
 H5 createGrowing(hid_t file, const std::string& path, hid_t type, const std::vector<hsize_t>& extent,
                  const std::vector<hsize_t>& chunk) {
@@ -48,7 +55,7 @@ H5 createGrowing(hid_t file, const std::string& path, hid_t type, const std::vec
   largest[0] = H5S_UNLIMITED;
   const int dimensions = static_cast<int>(extent.size());
   const H5 dataSpace(H5Screate_simple(dimensions, extent.data(), largest.data()), "make a data space");
-  const H5 settings(H5Pcreate(H5P_DATASET_CREATE), "set up " + path);
+  const H5 settings = datasetSettings(path);
   checkHdf5(H5Pset_chunk(settings, dimensions, chunk.data()), "set up " + path);
   return {H5Dcreate2(file, path.c_str(), type, dataSpace, H5P_DEFAULT, settings, H5P_DEFAULT),
           "make " + path};
@@ -158,8 +165,9 @@ void Hdf5Output::group(const std::string& path) const {
 
 void Hdf5Output::text(const std::string& path, const std::string& value) const {
   const H5 type = textType(value.size());
-  const H5 dataset(H5Dcreate2(file_, path.c_str(), type, space(1), H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT),
-                   "make " + path);
+  const H5 dataset(
+      H5Dcreate2(file_, path.c_str(), type, space(1), H5P_DEFAULT, datasetSettings(path), H5P_DEFAULT),
+      "make " + path);
   checkHdf5(H5Dwrite(dataset, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, value.c_str()), "write " + path);
 }
 
@@ -200,8 +208,9 @@ void Hdf5Output::fixed(const std::string& path, hid_t type, const std::vector<hs
                        const void* values) const {
   const H5 dataSpace(H5Screate_simple(static_cast<int>(extent.size()), extent.data(), nullptr),
                      "make " + path);
-  const H5 dataset(H5Dcreate2(file_, path.c_str(), type, dataSpace, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT),
-                   "make " + path);
+  const H5 dataset(
+      H5Dcreate2(file_, path.c_str(), type, dataSpace, H5P_DEFAULT, datasetSettings(path), H5P_DEFAULT),
+      "make " + path);
   checkHdf5(H5Dwrite(dataset, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values), "write " + path);
 }
 

@@ -147,5 +147,13 @@ TEST(H5mdWithoutEffects, AbsentEffectsLeaveNoTrace) {
   H5Fclose(file);
 }
 
+TEST_F(H5md, NothingTellsTheTimeOfDay) {
+  const auto timeless = [](hid_t, const char* name, const H5O_info_t* info, void*) -> herr_t {
+    EXPECT_EQ(info->ctime, 0) << name;
+    return 0;
+  };
+  EXPECT_GE(H5Ovisit2(file_, H5_INDEX_NAME, H5_ITER_NATIVE, timeless, nullptr, H5O_INFO_TIME), 0);
+}
+
 }  // namespace
 }  // namespace bedmix::test
