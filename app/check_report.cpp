@@ -4,6 +4,7 @@
 #include "engine/core/gas_grid.h"
 #include "engine/core/mixing.h"
 #include "engine/core/thread_team.h"
+#include "engine/coupling/gas_step.h"
 #include "engine/dem/contact_error.h"
 #include "engine/simulation.h"
 
@@ -132,7 +133,7 @@ class Report {
     const double longest = longestGasStep(scene_);
     if (settings.step.isAutomatic()) {
       double most = std::min(longest, scene_.sampling.interval);
-      if (fastest > 0.0) most = std::min(most, 0.5 * smallest / fastest);
+      if (fastest > 0.0) most = std::min(most, GasStep::courantLimit(settings) * smallest / fastest);
       add("gas step", automaticStep, "",
           fmt::format("at most {:.3g} s; as long as {:g} of the drag changes in", most, settings.error));
       return;

@@ -26,6 +26,7 @@ struct AccuracyOptions {
   std::string scene;
   std::string folder;
   double budget = std::numeric_limits<double>::infinity();
+  int runs = usualRuns;
   bool resume = false;
 };
 
@@ -61,7 +62,7 @@ ExitCode accuracy(const AccuracyOptions& options, const Console& console) {
   if (!log) return console.fail(log.problems);
 
   catchInterrupts();
-  Study study(*scene, design, *log, console, {options.budget, availableCores(), stopRequested});
+  Study study(*scene, design, *log, console, {options.budget, availableCores(), options.runs, stopRequested});
   if (const auto problem = study.run()) return console.fail(*problem);
   for (const std::string& what : study.plan().dropped) console.say("dropped, for the budget: " + what);
   if (study.samplesLeft() > 0)
@@ -90,6 +91,13 @@ void addAccuracyCommand(CLI::App& program, CommandContext context) {
                    "Wall seconds; says what it drops, statistics of all but the presets first")
       ->type_name("S")
       ->check(CLI::PositiveNumber);
+  command
+      ->add_option("--runs", options->runs,
+                   "Runs of each preset that statistics are taken from, each from its own seed; more tell "
+                   "smaller differences from noise")
+      ->type_name("N")
+      ->check(CLI::Range(2, 10000))
+      ->capture_default_str();
   command->add_flag("--resume", options->resume,
                     "Go on with the study in the folder; finished samples are kept");
   command->footer("Example:\n  bedmix accuracy tian-2007-even -o out/price --budget 900");

@@ -10,7 +10,7 @@ namespace bedmix {
 
 namespace {
 
-constexpr int presetRuns = 8, otherRuns = 4, fewestRuns = 4;
+constexpr int otherRuns = 4, fewestRuns = 4;
 constexpr double shortest = 0.4;  // of the scene's duration
 constexpr double others = 1.25;   // a run takes so much longer beside others than alone
 
@@ -24,8 +24,8 @@ int StatisticsPlan::seeds(const Design& design, const std::string& setting) cons
 }
 
 StatisticsPlan planStatistics(const Design& design, const std::map<std::string, double>& costs,
-                              double duration, double interval, double budget, int cores) {
-  StatisticsPlan plan{presetRuns, otherRuns, duration, {}};
+                              double duration, double interval, double budget, int cores, int runs) {
+  StatisticsPlan plan{runs, std::min(runs, otherRuns), duration, {}};
   const auto wall = [&] {
     double sum = 0.0;
     for (const std::string& setting : design.statistics)
@@ -38,9 +38,8 @@ StatisticsPlan planStatistics(const Design& design, const std::map<std::string, 
     plan.dropped.emplace_back("statistics of all settings but the presets");
   }
   while (wall() > budget && plan.presetSeeds > fewestRuns) --plan.presetSeeds;
-  if (plan.presetSeeds < presetRuns)
-    plan.dropped.push_back(
-        fmt::format("{} of {} runs of each preset", presetRuns - plan.presetSeeds, presetRuns));
+  if (plan.presetSeeds < runs)
+    plan.dropped.push_back(fmt::format("{} of {} runs of each preset", runs - plan.presetSeeds, runs));
   for (auto frames = std::llround(duration / interval); wall() > budget;) {
     frames = std::llround(0.9 * static_cast<double>(frames));
     const double shorter = static_cast<double>(frames) * interval;

@@ -20,10 +20,13 @@ struct StatisticsPlan {
   int seeds(const Design& design, const std::string& setting) const;
 };
 
-/// The fullest plan that fits. What goes first are the settings that are no presets, then runs of presets
-/// down to four of each, then their duration down to four tenths of the scene's. `costs` are wall seconds per
-/// simulated second and setting, `budget` seconds on `cores` at once.
+/// Of each preset.
+inline constexpr int usualRuns = 8;
+
+/// The fullest plan that fits, of `runs` of each preset at most. What goes first are the settings that are no
+/// presets, then runs of presets down to four of each, then their duration down to four tenths of the
+/// scene's. `costs` are wall seconds per simulated second and setting, `budget` seconds on `cores` at once.
 StatisticsPlan planStatistics(const Design& design, const std::map<std::string, double>& costs,
-                              double duration, double interval, double budget, int cores);
+                              double duration, double interval, double budget, int cores, int runs);
 
 }  // namespace bedmix

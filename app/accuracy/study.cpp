@@ -190,7 +190,7 @@ void Study::statistics() {
   std::map<std::string, double> costs;
   for (const auto& [setting, values] : walls) costs[setting] = median(values);
   plan_ = planStatistics(design_, costs, scene_.time.duration, scene_.sampling.interval,
-                         options_.budget - elapsed(), options_.cores);
+                         options_.budget - elapsed(), options_.cores, options_.runs);
 
   std::vector<Task> tasks;
   for (int seed = 0; seed < std::max(plan_.presetSeeds, plan_.otherSeeds); ++seed) {

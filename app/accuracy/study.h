@@ -20,6 +20,7 @@ class Study {
   struct Options {
     double budget;  // s of wall time; infinite for as much as the design takes
     int cores;
+    int runs;                    // of each preset, that statistics are taken from
     std::function<bool()> stop;  // asked for from outside; looked at often
   };
   Study(const Scene& scene, const Design& design, SampleLog& log, const Console& console, Options options);

@@ -8,21 +8,28 @@ namespace bedmix {
 
 namespace {
 
-constexpr double courantLimit = 0.5;  // cells that the gas passes in a step
-constexpr double firstShare = 0.01;   // of that, at the start
-constexpr double growth = 2.0;        // from one step to the next
-constexpr double forgetting = 0.1;    // of a rate that has fallen, in a step
+// Cells; the coarse one is a whole cell less what the gas may gain within a step.
+constexpr double fineCourant = 0.5, coarseCourant = 0.9;
+constexpr double coarse = 0.1;       // gas.error from which on the latter counts
+constexpr double firstShare = 0.01;  // of that, at the start
+constexpr double growth = 2.0;       // from one step to the next
+constexpr double forgetting = 0.1;   // of a rate that has fallen, in a step
 
 }  // namespace
 
+double GasStep::courantLimit(const GasSettings& settings) {
+  return settings.error < coarse ? fineCourant : coarseCourant;
+}
+
 GasStep::GasStep(const Scene& scene, const GasSolver& gas)
     : allowed_(scene.gas->error),
+      courantLimit_(courantLimit(*scene.gas)),
       bound_(std::min(longestGasStep(scene), scene.sampling.interval)),
       longest_(bound_),
       drag_(gas.exchange().source.size()) {
   double fastest = 0.0;
   for (const Inlet& inlet : scene.gas->inlets) fastest = std::max(fastest, inletVelocity(scene, inlet));
-  if (fastest > 0.0) longest_ = std::min(bound_, firstShare * courantLimit * gas.grid().dy(0) / fastest);
+  if (fastest > 0.0) longest_ = std::min(bound_, firstShare * courantLimit_ * gas.grid().dy(0) / fastest);
 }
 
 void GasStep::observe(const GasSolver& gas, const GasStepReport& report, double step, double before) {
@@ -38,7 +45,7 @@ void GasStep::observe(const GasSolver& gas, const GasStepReport& report, double 
   rate_ = std::max(rate, rate_ + forgetting * (rate - rate_));
   longest_ = std::min(bound_, growth * step);
   if (rate_ > 0.0) longest_ = std::min(longest_, allowed_ / rate_);
-  if (report.courant > 0.0) longest_ = std::min(longest_, courantLimit * step / report.courant);
+  if (report.courant > 0.0) longest_ = std::min(longest_, courantLimit_ * step / report.courant);
 }
 
 void GasStep::save(StateWriter& out) const {

@@ -12,10 +12,14 @@ namespace bedmix {
 /// Chooses the gas steps where a scene leaves them to it (gas.step = "auto"). What gas and particles give
 /// each other is held over a gas step; how much it changes from one to the next, of all that there is, tells
 /// how long a step may be for gas.error of it to be missed. Never longer than longestGasStep(), nor than the
-/// gas takes for half a cell, and at most twice the last one. Chosen from the state of the gas alone.
+/// gas takes for courantLimit() of a cell, and at most twice the last one. Chosen from the state of the gas
+/// alone.
 class GasStep {
  public:
-  /// Begins with a hundredth of what the gas that enters takes for half a cell.
+  /// Cells that it lets the gas pass in a step.
+  static double courantLimit(const GasSettings& settings);
+
+  /// Begins with a hundredth of what the gas that enters takes for that.
   GasStep(const Scene& scene, const GasSolver& gas);
 
   /// The longest that the coming gas step may be, s.
@@ -29,6 +33,7 @@ class GasStep {
 
  private:
   double allowed_;            // relative
+  double courantLimit_;       // cells
   double bound_;              // s
   double longest_;            // s
   double rate_ = 0.0;         // relative change of the drag in a second

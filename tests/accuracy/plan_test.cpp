@@ -23,7 +23,7 @@ double wall(const StatisticsPlan& plan, int cores) {
 
 TEST(Plan, WithoutABudgetDropsNothing) {
   const auto plan =
-      planStatistics(twoPresetsAndOther(), costs, 10.0, 0.01, std::numeric_limits<double>::infinity(), 4);
+      planStatistics(twoPresetsAndOther(), costs, 10.0, 0.01, std::numeric_limits<double>::infinity(), 4, 8);
   EXPECT_TRUE(plan.dropped.empty());
   EXPECT_EQ(plan.duration, 10.0);
   EXPECT_GT(plan.presetSeeds, plan.otherSeeds);
@@ -36,7 +36,7 @@ TEST(Plan, WithoutABudgetDropsNothing) {
 TEST(Plan, KeepsTheBudgetAndSaysWhatItDropped) {
   std::size_t before = 0;
   for (const double budget : {150.0, 100.0, 80.0, 60.0, 40.0, 20.0}) {
-    const auto plan = planStatistics(twoPresetsAndOther(), costs, 10.0, 0.01, budget, 4);
+    const auto plan = planStatistics(twoPresetsAndOther(), costs, 10.0, 0.01, budget, 4, 8);
     EXPECT_LE(wall(plan, 4), budget);
     EXPECT_GE(plan.dropped.size(), before) << budget;
     before = plan.dropped.size();
@@ -45,15 +45,26 @@ TEST(Plan, KeepsTheBudgetAndSaysWhatItDropped) {
   EXPECT_EQ(before, 3u);
 }
 
+TEST(Plan, TakesAsManyRunsOfPresetsAsAreAskedFor) {
+  const double endless = std::numeric_limits<double>::infinity();
+  const auto many = planStatistics(twoPresetsAndOther(), costs, 10.0, 0.01, endless, 4, 100);
+  EXPECT_EQ(many.presetSeeds, 100);
+  EXPECT_EQ(many.otherSeeds, 4);
+  const auto few = planStatistics(twoPresetsAndOther(), costs, 10.0, 0.01, endless, 4, 2);
+  EXPECT_EQ(few.presetSeeds, 2);
+  EXPECT_EQ(few.otherSeeds, 2);
+  EXPECT_TRUE(few.dropped.empty());
+}
+
 TEST(Plan, SettingsGoBeforeRunsOfPresetsAndThoseBeforeTheirLength) {
-  const auto presets = planStatistics(twoPresetsAndOther(), costs, 10.0, 0.01, 80.0, 4);
+  const auto presets = planStatistics(twoPresetsAndOther(), costs, 10.0, 0.01, 80.0, 4, 8);
   EXPECT_EQ(presets.otherSeeds, 0);
   EXPECT_EQ(presets.seeds(twoPresetsAndOther(), "c"), 0);
   EXPECT_EQ(presets.seeds(twoPresetsAndOther(), "a"), 8);
-  const auto fewer = planStatistics(twoPresetsAndOther(), costs, 10.0, 0.01, 50.0, 4);
+  const auto fewer = planStatistics(twoPresetsAndOther(), costs, 10.0, 0.01, 50.0, 4, 8);
   EXPECT_LT(fewer.presetSeeds, 8);
   EXPECT_EQ(fewer.duration, 10.0);
-  const auto shorter = planStatistics(twoPresetsAndOther(), costs, 10.0, 0.01, 20.0, 4);
+  const auto shorter = planStatistics(twoPresetsAndOther(), costs, 10.0, 0.01, 20.0, 4, 8);
   EXPECT_EQ(shorter.presetSeeds, 4);
   EXPECT_LT(shorter.duration, 10.0);
 }

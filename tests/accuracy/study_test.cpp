@@ -54,7 +54,7 @@ TEST_F(StudyOfTiny, TakesEverySampleOnceAndReportsWhatFails) {
   {
     SampleLog samples = log(false);
     Study study(scene_, design_, samples, console_,
-                {std::numeric_limits<double>::infinity(), 2, [] { return false; }});
+                {std::numeric_limits<double>::infinity(), 2, 8, [] { return false; }});
     ASSERT_FALSE(study.run());
     EXPECT_EQ(study.samplesLeft(), 0);
     taken = samples.samples().size();
@@ -74,7 +74,7 @@ TEST_F(StudyOfTiny, TakesEverySampleOnceAndReportsWhatFails) {
   }
   SampleLog samples = log(true);
   Study again(scene_, design_, samples, console_,
-              {std::numeric_limits<double>::infinity(), 2, [] { return false; }});
+              {std::numeric_limits<double>::infinity(), 2, 8, [] { return false; }});
   ASSERT_FALSE(again.run());
   EXPECT_EQ(samples.samples().size(), taken);
 }
@@ -82,7 +82,7 @@ TEST_F(StudyOfTiny, TakesEverySampleOnceAndReportsWhatFails) {
 TEST_F(StudyOfTiny, BeginsNothingWithoutBudgetOrWhenStopped) {
   for (const auto& [budget, stopped] : {std::pair{1e-6, false}, {1e6, true}}) {
     SampleLog samples = log(false);
-    Study study(scene_, design_, samples, console_, {budget, 2, [stopped = stopped] { return stopped; }});
+    Study study(scene_, design_, samples, console_, {budget, 2, 8, [stopped = stopped] { return stopped; }});
     ASSERT_FALSE(study.run());
     EXPECT_TRUE(samples.samples().empty());
     EXPECT_GT(study.samplesLeft(), 0);
