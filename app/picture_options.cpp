@@ -35,10 +35,10 @@ Result<PaintOptions> paintOptions(const PictureOptions& options, const Scene& sc
   if (!options.layers.empty()) {
     auto layers = parseLayers(options.layers);
     if (layers)
-      paint.layers = *layers;
+      paint.style.layers = *layers;
     else
       collect(std::move(layers.problems), "--layers");
-    collect(missingFor(scene, paint.layers), "--layers");
+    collect(missingFor(scene, paint.style.layers), "--layers");
   }
   if (!options.size.empty()) {
     auto size = parseSize(options.size);

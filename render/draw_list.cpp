@@ -118,8 +118,9 @@ void DrawList::clear() {
   texts.clear();
 }
 
-void drawBed(DrawList& list, const Scene& scene, const Frame& frame, const Camera& camera, Layers layers,
+void drawBed(DrawList& list, const Scene& scene, const Frame& frame, const Camera& camera, const Style& style,
              float em) {
+  const Layers layers = style.layers;
   if (layers.has(Layer::voidage))
     drawField(list, scene, frame.gas.voidage, camera, colorRange(scene, Layer::voidage));
   if (layers.has(Layer::pressure))

@@ -5,7 +5,7 @@
 #include "engine/core/scene.h"
 #include "render/camera.h"
 #include "render/colors.h"
-#include "render/layers.h"
+#include "render/style.h"
 
 #include <string>
 #include <vector>
@@ -52,7 +52,7 @@ struct DrawList {
 /// Appends the bed's layers (all but the HUD) as the camera sees them. Line widths follow `em`, the height of
 /// the picture's text, px. Discs that lie wholly outside `list.clip` are left out. A layer of the gas needs a
 /// frame with gas.
-void drawBed(DrawList& list, const Scene& scene, const Frame& frame, const Camera& camera, Layers layers,
+void drawBed(DrawList& list, const Scene& scene, const Frame& frame, const Camera& camera, const Style& style,
              float em);
 
 /// Appends a scale bar of a round length and its label, its left end and lower edge at `at`.

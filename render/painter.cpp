@@ -16,7 +16,7 @@ namespace bedmix {
 struct Painter::State {
   Scene scene;
   Size size;
-  Layers layers;
+  Style style;
   Layout layout;
   Surface surface;
   Hud hud;
@@ -31,14 +31,14 @@ Painter& Painter::operator=(Painter&&) noexcept = default;
 Result<Painter> Painter::create(const Scene& scene, const PaintOptions& options) {
   const Size size = options.size == Size{} ? defaultSize(scene) : options.size;
   std::vector<Diagnostic> problems = sizeProblems(size);
-  for (Diagnostic& problem : missingFor(scene, options.layers)) problems.push_back(std::move(problem));
+  for (Diagnostic& problem : missingFor(scene, options.style.layers)) problems.push_back(std::move(problem));
   if (!problems.empty()) return problems;
   Result<Surface> surface = Surface::create(options.threads);
   if (!surface) return surface.problems;
 
-  const Layout layout = layoutPicture(scene, size, options.layers);
+  const Layout layout = layoutPicture(scene, size, options.style.layers);
   auto state = std::make_unique<State>(
-      State{scene, size, options.layers, layout, std::move(*surface), Hud(layout.em), {}, {}});
+      State{scene, size, options.style, layout, std::move(*surface), Hud(layout.em), {}, {}});
   state->surface.setGlyphs(state->hud.glyphs());
   state->bed.clip = layout.view;
   state->overlay.clip = {0.0f, 0.0f, static_cast<float>(size.width), static_cast<float>(size.height)};
@@ -49,13 +49,13 @@ Size Painter::size() const { return state_->size; }
 
 Result<Done> Painter::paint(const Frame& frame, Image& into) {
   State& s = *state_;
-  if (std::vector<Diagnostic> missing = missingFor(s.scene, frame, s.layers); !missing.empty())
+  if (std::vector<Diagnostic> missing = missingFor(s.scene, frame, s.style.layers); !missing.empty())
     return missing;
   into.resize(s.size);
   s.bed.clear();
   s.overlay.clear();
-  drawBed(s.bed, s.scene, frame, s.layout.camera, s.layers, s.layout.em);
-  if (s.layers.has(Layer::hud)) drawHud(s.overlay, s.scene, frame, s.layers, s.layout);
+  drawBed(s.bed, s.scene, frame, s.layout.camera, s.style, s.layout.em);
+  if (s.style.layers.has(Layer::hud)) drawHud(s.overlay, s.scene, frame, s.style.layers, s.layout);
 
   s.surface.begin(into, white);
   s.surface.draw(s.bed);

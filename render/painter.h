@@ -5,7 +5,7 @@
 #include "engine/core/frame.h"
 #include "engine/core/scene.h"
 #include "render/image.h"
-#include "render/layers.h"
+#include "render/style.h"
 
 #include <memory>
 #include <string>
@@ -15,7 +15,7 @@ namespace bedmix {
 
 struct PaintOptions {
   Size size;  // 0 x 0: defaultSize(scene)
-  Layers layers = defaultLayers;
+  Style style;
   int threads = 0;  // of the rasterizer, 0 = all cores; the first painter of the program decides
 };
 

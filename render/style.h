@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "render/layers.h"
+
+namespace bedmix {
+
+/// How a bed is drawn.
+struct Style {
+  Layers layers = defaultLayers;
+
+  Style() = default;
+  Style(Layers shown) : layers(shown) {}  // NOLINT: layers in their usual style
+};
+
+}  // namespace bedmix
