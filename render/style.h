@@ -11,6 +11,7 @@ struct Style {
 
   Style() = default;
   Style(Layers shown) : layers(shown) {}  // NOLINT: layers in their usual style
+  Style(std::initializer_list<Layer> shown) : layers(shown) {}
 };
 
 }  // namespace bedmix
