@@ -14,11 +14,12 @@ namespace {
 constexpr float tickBand = 3.2f;  // left of the axes, for their numbers
 constexpr float timeBand = 2.9f;  // below them
 constexpr float keyLine = 1.35f;  // a row of the key above them
+constexpr float numberHalf = 1.6f;  // right of them, for half of the last number
+constexpr float tickRow = 1.3f;   // of a number beside them
 constexpr float tickLength = 0.3f;
 constexpr float keyLength = 1.6f;  // of a curve's sample in the key
 
 constexpr double lowest = 0.0, highest = 1.4;  // indices: noise goes beyond 1
-constexpr double indexStep = 0.2;
 constexpr Rgba gridColor{208, 208, 208};
 
 /// Distance of round ticks, about `wanted` of them up to `until`.
@@ -46,7 +47,7 @@ Chart indexChart(std::span<const std::string> labels, std::span<const IndexCurve
 Box chartAxes(const Box& box, std::size_t curves, float em) {
   Box axes = box;
   axes.left += tickBand * em;
-  axes.right -= em;
+  axes.right -= numberHalf * em;
   axes.top += (keyLine * static_cast<float>(curves + 1) + 0.4f) * em;
   axes.bottom -= timeBand * em;
   return axes;
@@ -62,11 +63,12 @@ void drawChart(DrawList& list, DrawList& overlay, const Box& box, const Chart& c
     return axes.bottom - axes.height() * static_cast<float>((index - lowest) / (highest - lowest));
   };
 
+  const double indexStep = axes.height() > 7.0f * tickRow * em ? 0.2 : 0.7;
   for (int i = 0; lowest + i * indexStep <= highest + 1e-9; ++i) {
     const float at = y(lowest + i * indexStep);
     overlay.lines.push_back({{axes.left, at}, {axes.right, at}, thin, 0.0f, gridColor});
     overlay.texts.push_back(
-        {{axes.left - 0.5f * em, at}, {1.0f, 0.5f}, ink, fmt::format("{:.1f}", i * indexStep)});
+        {{axes.left - 0.5f * em, at}, {1.0f, 0.5f}, ink, fmt::format("{:.1f}", lowest + i * indexStep)});
   }
   const double step = tickStep(until, std::clamp(static_cast<double>(axes.width() / (4.0f * em)), 1.0, 6.0));
   for (int i = 0; i * step <= until * (1.0 + 1e-9); ++i) {

@@ -17,10 +17,10 @@ constexpr float margin = 0.7f;        // around everything
 constexpr float panelWidth = 11.5f;   // the HUD beside the bed
 constexpr float columnWidth = 9.5f;   // a column of the HUD above the bed
 constexpr float scaleBarBand = 1.6f;  // below the bed
-// Of the picture.
-constexpr float chartWidth = 0.42f;    // beside the beds
-constexpr float chartHeight = 0.33f;   // below them
-constexpr float highestChart = 0.75f;  // of its width
+// Of the picture's width or height.
+constexpr float smallestChart = 0.3f, largestChart = 0.7f, chartStep = 0.05f;
+constexpr float narrowestChart = 14.0f, lowestChart = 12.0f;  // em
+constexpr float highestChart = 0.9f;                          // of its width
 
 float scaleIn(const Scene& scene, const Box& room) {
   return std::min(room.width() / static_cast<float>(scene.bed.width),
@@ -98,8 +98,7 @@ float textHeight(float width, float height) {
 PictureLayout layoutWithChart(std::span<const Scene> scenes, const Box& beds, const Box& chart,
                               Layers layers) {
   PictureLayout layout;
-  layout.em =
-      textHeight(beds.width() / static_cast<float>(scenes.size()), std::max(beds.bottom, chart.bottom));
+  layout.em = textHeight(beds.width() / static_cast<float>(scenes.size()), beds.height());
   layout.beds = layoutBeds(scenes, beds, layers, layout.em);
   const float edge = margin * layout.em;
   layout.chart = {chart.left + edge, chart.top + edge, chart.right - edge, chart.bottom - edge};
@@ -118,12 +117,22 @@ PictureLayout layoutPicture(std::span<const Scene> scenes, Size size, Layers lay
     const float em = textHeight(whole.width() / static_cast<float>(scenes.size()), whole.height());
     return {layoutBeds(scenes, whole, layers, em), {}, em};
   }
-  Box left = whole, right = whole, upper = whole, lower = whole;
-  left.right = right.left = std::round((1.0f - chartWidth) * whole.width());
-  upper.bottom = lower.top = std::round((1.0f - chartHeight) * whole.height());
-  const PictureLayout beside = layoutWithChart(scenes, left, right, layers);
-  const PictureLayout below = layoutWithChart(scenes, upper, lower, layers);
-  return beside.beds[0].camera.scale >= below.beds[0].camera.scale ? beside : below;
+  const auto scale = [](const PictureLayout& layout) { return layout.beds.front().camera.scale; };
+  PictureLayout best;
+  for (const bool isBeside : {true, false})
+    for (float share = smallestChart; share < largestChart; share += chartStep) {
+      Box beds = whole, chart = whole;
+      if (isBeside)
+        beds.right = chart.left = std::round((1.0f - share) * whole.width());
+      else
+        beds.bottom = chart.top = std::round((1.0f - share) * whole.height());
+      PictureLayout layout = layoutWithChart(scenes, beds, chart, layers);
+      const bool isReadable = layout.chart.width() >= narrowestChart * layout.em &&
+                              layout.chart.height() >= lowestChart * layout.em;
+      // The larger chart, where it costs the beds nothing.
+      if (best.beds.empty() || (isReadable && scale(layout) >= scale(best))) best = std::move(layout);
+    }
+  return best;
 }
 
 Layout layoutPicture(const Scene& scene, Size size, Layers layers) {

@@ -91,7 +91,7 @@ TEST(Chart, KeepsItsTextsInItsBox) {
       for (const UiVertex& v : hud.mesh(size, overlay.texts).vertices) {
         EXPECT_GE(v.at.x, layout.chart.left - 1.0f)
             << size.width << 'x' << size.height << ", " << until << " s";
-        EXPECT_LE(v.at.x, layout.chart.right + layout.em);
+        EXPECT_LE(v.at.x, layout.chart.right + 1.0f);
         EXPECT_GE(v.at.y, layout.chart.top - 1.0f);
         EXPECT_LE(v.at.y, layout.chart.bottom + 1.0f);
       }
