@@ -95,10 +95,10 @@ float textHeight(float width, float height) {
   return std::clamp(std::round(std::min(width / 20.0f, height / 36.0f)), 8.0f, 128.0f);
 }
 
-PictureLayout layoutWithChart(std::span<const Scene> scenes, const Box& beds, const Box& chart,
-                              Layers layers) {
+PictureLayout layoutWithChart(std::span<const Scene> scenes, const Box& beds, const Box& chart, Layers layers,
+                              float em) {
   PictureLayout layout;
-  layout.em = textHeight(beds.width() / static_cast<float>(scenes.size()), beds.height());
+  layout.em = em;
   layout.beds = layoutBeds(scenes, beds, layers, layout.em);
   const float edge = margin * layout.em;
   layout.chart = {chart.left + edge, chart.top + edge, chart.right - edge, chart.bottom - edge};
@@ -118,15 +118,18 @@ PictureLayout layoutPicture(std::span<const Scene> scenes, Size size, Layers lay
     return {layoutBeds(scenes, whole, layers, em), {}, em};
   }
   const auto scale = [](const PictureLayout& layout) { return layout.beds.front().camera.scale; };
+  // Beds and chart share the width.
+  const float share = std::max(1.8f, static_cast<float>(scenes.size()));
+  const float em = textHeight(whole.width() / share, whole.height());
   PictureLayout best;
   for (const bool isBeside : {true, false})
-    for (float share = smallestChart; share < largestChart; share += chartStep) {
+    for (float part = smallestChart; part < largestChart; part += chartStep) {
       Box beds = whole, chart = whole;
       if (isBeside)
-        beds.right = chart.left = std::round((1.0f - share) * whole.width());
+        beds.right = chart.left = std::round((1.0f - part) * whole.width());
       else
-        beds.bottom = chart.top = std::round((1.0f - share) * whole.height());
-      PictureLayout layout = layoutWithChart(scenes, beds, chart, layers);
+        beds.bottom = chart.top = std::round((1.0f - part) * whole.height());
+      PictureLayout layout = layoutWithChart(scenes, beds, chart, layers, em);
       const bool isReadable = layout.chart.width() >= narrowestChart * layout.em &&
                               layout.chart.height() >= lowestChart * layout.em;
       // The larger chart, where it costs the beds nothing.
