@@ -21,6 +21,9 @@ struct FilmOptions {
   double to = std::numeric_limits<double>::infinity();  // s
 };
 
+/// How many pictures a film has whose frames reach from `from` to `to`.
+std::int64_t picturesOf(const FilmOptions& options);
+
 /// Films a stream of frames: at film time n/fps it shows the last frame at or before from + n speed/fps.
 /// Draws in the caller's thread, and only what is shown; encodes in a thread of its own behind a short queue.
 /// Memory does not grow with length.
@@ -38,6 +41,8 @@ class FilmSink final : public FrameSink {
   Result<Done> finish();
   /// Pictures in the film so far.
   std::int64_t pictures() const;
+  /// Whether something has failed, which finish() reports.
+  bool failed() const;
 
  private:
   struct State;
