@@ -11,6 +11,7 @@
 #include <CLI/CLI.hpp>
 #include <fmt/core.h>
 
+#include <array>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -86,19 +87,17 @@ ExitCode renderFolder(const RenderOptions& options, TrajectoryReader& reader,
 
 ExitCode renderPicture(const RenderOptions& options, TrajectoryReader& reader, const PaintOptions& paint,
                        const Console& console) {
-  FramesAt wanted({options.time.value_or(reader.times().back())});
-  FrameSink* const sinks[]{&wanted};
-  drain(reader, sinks);
-  if (reader.failure()) return console.fail(*reader.failure());
-  auto frames = wanted.frames();
-  if (!frames) {
-    for (Diagnostic& d : frames.problems) d.at.file = "--time";
-    return console.fail(frames.problems);
+  auto index = framesAt(reader.times(), std::array{options.time.value_or(reader.times().back())});
+  if (!index) {
+    for (Diagnostic& d : index.problems) d.at.file = "--time";
+    return console.fail(index.problems);
   }
+  const auto read = reader.frame(index->front());
+  if (!read) return console.fail(read.problems);
   auto painter = Painter::create(reader.scene(), paint);
   if (!painter) return console.fail(painter.problems);
   Image image;
-  const Frame& frame = *frames->front();
+  const Frame& frame = **read;
   const auto painted = painter->paint(frame, image);
   if (!painted) return console.fail(painted.problems);
   const auto written =

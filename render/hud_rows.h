@@ -22,6 +22,9 @@ inline constexpr float hudLine = 1.35f;  // em, distance of rows
 /// Appends the HUD's rows, the scale bar, and how many particles are above the view if any are.
 void drawHud(DrawList& list, const Scene& scene, const Frame& frame, Layers layers, const Layout& layout);
 
+/// Appends the legend alone, its upper left corner at `at`: as many rows as hudRowCount() says.
+void drawLegend(DrawList& list, const Scene& scene, Layers layers, const Camera& camera, Vec2f at, float em);
+
 /// "t = 0.50 s" with this many decimals.
 std::string timeLabel(double time, int decimals);
 /// Fewest decimals, at least one, that write each of the times in full.
