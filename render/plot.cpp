@@ -24,8 +24,8 @@ constexpr std::array fluxColumns{PlotColumn{"flux", "solids flux"}};
 constexpr std::array pressureColumns{PlotColumn{"pressure_drop", "pressure drop"}};
 
 const std::array kinds{
-    PlotKind{"mixing", "mixing.csv", mixingColumns, "mixing index", 0.0, 1.2},
-    PlotKind{"compare", "mixing.csv", compareColumns, "Ashton index", 0.0, 1.2},
+    PlotKind{"mixing", "mixing.csv", mixingColumns, "mixing index", -0.1, 1.3},
+    PlotKind{"compare", "mixing.csv", compareColumns, "Ashton index", -0.1, 1.3},
     PlotKind{"flux", "flux.csv", fluxColumns, "solids flux leftward, kg/(m\u00b2 s)"},
     PlotKind{"pressure", "pressure.csv", pressureColumns, "pressure drop, Pa"},
 };
@@ -86,18 +86,31 @@ bool isShortLegend(std::span<const Curve> curves, std::span<const Level> levels)
   return width <= legendWidth;
 }
 
+/// The kind's range where that holds the curves, else one that ends at tics beyond them.
+std::string yRange(const PlotKind& kind, std::span<const Curve> curves) {
+  const auto fits = [&](const std::vector<double>& values) {
+    return std::none_of(values.begin(), values.end(),
+                        [&](double y) { return y < kind.yMin || y > kind.yMax; });
+  };
+  const bool all = kind.yMin < kind.yMax && std::all_of(curves.begin(), curves.end(), [&](const Curve& c) {
+                     return fits(c.y) && fits(c.low) && fits(c.high);
+                   });
+  return fmt::format(all ? "[{} : {}]" : "[* < {} : {} < *]", kind.yMin, kind.yMax);
+}
+
 std::string commandsFor(const PlotKind& kind, std::span<const Curve> curves, std::span<const Level> levels) {
   std::string text = "set datafile separator comma\n";
   const auto out = std::back_inserter(text);
-  fmt::format_to(out, "set xlabel 't, s'\nset ylabel {}\nset xrange [0:*]\nset yrange [* < {} : {} < *]\n",
-                 plotText(kind.yLabel), kind.yMin, kind.yMax);
+  fmt::format_to(out, "set xlabel 't, s'\nset ylabel {}\nset xrange [0:*]\nset yrange {}\n",
+                 plotText(kind.yLabel), yRange(kind, curves));
   text += plotFrame;
+  text += "set xzeroaxis linewidth 1 linetype 1 linecolor rgb '#A0A0A0'\n";
   if (curves.size() + levels.size() == 1)
     text += "unset key\n";
   else if (isShortLegend(curves, levels))
-    text += "set key outside top center horizontal Left reverse samplen 2\n";
+    text += "set key tmargin center horizontal Left reverse samplen 2\n";
   else
-    text += "set key outside top left vertical Left reverse samplen 2 maxcols 1\n";
+    text += "set key tmargin left vertical Left reverse samplen 2 maxcols 1\n";
 
   std::string bands, lines;
   std::size_t at = 2;  // column of the table
@@ -114,7 +127,7 @@ std::string commandsFor(const PlotKind& kind, std::span<const Curve> curves, std
     at += curves[i].hasBand() ? 3 : 1;
   }
   for (const Level& level : levels)
-    lines += fmt::format("  {} with lines linewidth 1 dashtype 3 linecolor rgb '#606060' title {}, \\\n",
+    lines += fmt::format("  {} with lines linewidth 1.2 dashtype 2 linecolor rgb '#606060' title {}, \\\n",
                          level.y, plotText(level.label));
   return text + "plot \\\n" + bands + lines.substr(0, lines.rfind(','));
 }

@@ -35,7 +35,7 @@ struct Curve {
   std::string label;
   std::vector<double> x;
   std::vector<double> y;
-  std::vector<double> low, high;
+  std::vector<double> low = {}, high = {};
 
   bool hasBand() const { return !low.empty(); }
 };

@@ -137,9 +137,10 @@ Result<Done> HtmlPage::picture(const fs::path& png, double width, std::string_vi
 }
 
 Result<Done> HtmlPage::film(const fs::path& mp4, std::string_view alt, std::string_view caption) {
-  return figure(
-      mp4, "<figure class=\"screen\"><video controls=\"controls\" loop=\"loop\" src=\"data:video/mp4;base64,",
-      fmt::format("\" aria-label=\"{}\"></video>", htmlText(alt)), caption);
+  return figure(mp4,
+                "<figure class=\"screen\"><video controls=\"controls\" loop=\"loop\" "
+                "playsinline=\"playsinline\" src=\"data:video/mp4;base64,",
+                fmt::format("\" aria-label=\"{}\"></video>", htmlText(alt)), caption);
 }
 
 Result<Done> HtmlPage::write(const fs::path& path) const {

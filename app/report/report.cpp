@@ -3,18 +3,15 @@
 
 #include "app/check_report.h"
 #include "app/curves.h"
-#include "app/png_text.h"
 #include "app/report/html_page.h"
 #include "app/report/run_film.h"
 #include "app/report/run_numbers.h"
 #include "app/report/run_record.h"
 #include "engine/core/scene_reader.h"
-#include "render/painter.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 
 namespace fs = std::filesystem;
 
@@ -22,9 +19,7 @@ namespace bedmix {
 
 namespace {
 
-// Widths in print, mm.
-constexpr double pageWidth = 190.0, plotWidth = 140.0, bedWidth = 80.0;
-constexpr double bedDpi = 300.0;
+constexpr double plotWidth = 140.0;  // mm
 constexpr double momentShown = 1.0;  // s, of velocities and cells, as in Tian et al. (2007), Fig. 9
 
 class Report {
@@ -88,16 +83,9 @@ class Report {
   }
 
   Result<Done> snapshots() {
-    const auto image = sheetOf(runs_, {}, sheetStyle);
-    if (!image) return image.problems;
-    const fs::path file = folder_ / "sheet.png";
-    if (auto done = writePng(file, *image, sheetPng(runs_)); !done) return done;
-    say(file);
     page_.heading("Snapshots");
-    return page_.picture(
-        file, std::min(pageWidth, image->size.width / sheetDpi * 25.4),
-        fmt::format("The bed at several times: {}", title()),
-        "The bed at the times above the panels: tracer black, the rest green; arrows below: gas.");
+    return beds(runs_, {}, sheetStyle, folder_ / "sheet.png", title(),
+                "The bed at the times above the panels: tracer black, the rest green; arrows below: gas.");
   }
 
   Result<Done> mixing() {
@@ -144,40 +132,36 @@ class Report {
 
   Result<Done> velocities() {
     page_.heading("Velocities");
-    return moments({Layer::velocity, Layer::walls, Layer::hud}, "velocity.png",
-                   "mean velocity of the particles");
+    return moments({Layer::velocity, Layer::walls}, "velocity.png", "Velocities of the particles");
   }
   Result<Done> cells() {
     page_.heading("Sampling");
-    return moments({Layer::particles, Layer::sampling, Layer::walls, Layer::hud}, "sampling.png",
-                   "the cells in which tracer is counted");
+    return moments({Layer::particles, Layer::sampling, Layer::walls}, "sampling.png",
+                   "The cells in which tracer is counted");
   }
 
-  /// A picture of each run at one moment.
-  Result<Done> moments(Layers layers, const char* name, const char* what) {
+  /// Each run at the moment of velocities and cells, or at its end.
+  Result<Done> moments(const Style& style, const char* name, const char* what) {
     for (RecordedRun& run : runs_) {
-      const auto index = framesAt(run.reader.times(), std::array{std::min(momentShown, run.end())});
-      if (!index) return index.problems;
-      const auto frame = run.reader.frame(index->front());
-      if (!frame) return frame.problems;
-      PaintOptions paint;
-      const Size usual = defaultSize(run.scene());
-      paint.size = {2 * usual.width, 2 * usual.height};
-      paint.style = layers;
-      auto painter = Painter::create(run.scene(), paint);
-      if (!painter) return painter.problems;
-      Image image;
-      if (auto done = painter->paint(**frame, image); !done) return done;
-      const fs::path file = fileOf(run, name);
+      const double time = std::min(momentShown, run.end());
+      const std::string caption = about(run, fmt::format("{} at {:g} s.", what, time));
       if (auto done =
-              writePng(file, image, {.small = true, .text = pngText(run.scene(), **frame), .dpi = bedDpi});
+              beds(std::span(&run, 1), {time}, style, fileOf(run, name), titles_[indexOf(run)], caption);
           !done)
         return done;
-      say(file);
-      const std::string caption = about(run, fmt::format("{} at {:g} s.", what, (*frame)->time));
-      if (auto done = page_.picture(file, bedWidth, caption, caption); !done) return done;
     }
     return Done{};
+  }
+
+  /// A sheet of runs.
+  Result<Done> beds(std::span<RecordedRun> runs, std::vector<double> times, const Style& style,
+                    const fs::path& file, const std::string& of, const std::string& caption) {
+    const auto image = sheetOf(runs, std::move(times), style);
+    if (!image) return image.problems;
+    if (auto done = writePng(file, *image, sheetPng(runs)); !done) return done;
+    say(file);
+    return page_.picture(file, image->size.width / sheetDpi * 25.4, fmt::format("{}: {}", of, caption),
+                         caption);
   }
 
   Result<Done> films() {

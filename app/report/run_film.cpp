@@ -2,6 +2,7 @@
 #include "app/report/run_film.h"
 
 #include "app/progress.h"
+#include "render/draw_list.h"
 #include "render/film_sink.h"
 #include "render/sheet.h"
 

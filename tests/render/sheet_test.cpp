@@ -120,18 +120,18 @@ TEST(Sheet, ShowsAllRunsAtOneScale) {
   Scene wide = test::flatBed();
   wide.bed.width *= 3.0;
   const Scene narrow = test::flatBed();
-  const FramePtr drop = share(test::particlesAt({{0.03f, 0.01f}}, {}));
-  const auto blackIn = [&](const std::vector<SheetRun>& runs) {
+  const FramePtr drop = share(test::particlesAt({}, {{0.03f, 0.01f}}));
+  const auto greenIn = [&](const std::vector<SheetRun>& runs) {
     const Image image = *drawSheet(runs, {Layer::particles});
     int found = 0;
-    for (int y = image.size.height / 8; y < image.size.height * 7 / 8; ++y)
-      for (int x = 0; x < image.size.width; ++x) found += image.at(x, y) == tracerColor;
+    for (int y = 0; y < image.size.height; ++y)
+      for (int x = 0; x < image.size.width; ++x) found += image.at(x, y) == restColor;
     return found;
   };
-  const int alone = blackIn({{&wide, {drop, drop}, {}}});
+  const int alone = greenIn({{&wide, {drop, drop}, {}}});
   EXPECT_GT(alone, 100);
   // Two of the same size more, not larger ones.
-  EXPECT_NEAR(blackIn({{&wide, {drop, drop}, {}}, {&narrow, {drop, drop}, {}}}), 2 * alone, 0.1 * alone);
+  EXPECT_NEAR(greenIn({{&wide, {drop, drop}, {}}, {&narrow, {drop, drop}, {}}}), 2 * alone, 0.1 * alone);
 }
 
 TEST(Sheet, CutsATitleThatIsTooLongForThePage) {
