@@ -95,7 +95,8 @@ std::string yRange(const PlotKind& kind, std::span<const Curve> curves) {
   const bool all = kind.yMin < kind.yMax && std::all_of(curves.begin(), curves.end(), [&](const Curve& c) {
                      return fits(c.y) && fits(c.low) && fits(c.high);
                    });
-  return fmt::format(all ? "[{} : {}]" : "[* < {} : {} < *]", kind.yMin, kind.yMax);
+  return all ? fmt::format("[{} : {}]", kind.yMin, kind.yMax)
+             : fmt::format("[* < {} : {} < *]", kind.yMin, kind.yMax);
 }
 
 std::string commandsFor(const PlotKind& kind, std::span<const Curve> curves, std::span<const Level> levels) {
