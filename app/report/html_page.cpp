@@ -21,7 +21,7 @@ namespace {
 // Readable on a phone (a table scrolls in itself) and on paper (nothing is torn apart).
 constexpr std::string_view style = R"(
 :root { color-scheme: light; }
-body { margin: 0 auto; padding: 1rem; max-width: 60rem; background: #fff; color: #1a1a1a;
+body { margin: 0 auto; padding: 1rem; max-width: 46rem; background: #fff; color: #1a1a1a;
   font: 1rem/1.5 system-ui, "DejaVu Sans", Arial, sans-serif; overflow-wrap: break-word; }
 h1 { font-size: 1.6rem; line-height: 1.25; margin: .5rem 0 1rem; }
 h2 { font-size: 1.25rem; margin: 2.5rem 0 .75rem; border-bottom: 1px solid #ccc; padding-bottom: .25rem; }
@@ -29,6 +29,8 @@ h3 { font-size: 1rem; margin: 1.5rem 0 .5rem; }
 p { max-width: 42rem; }
 figure { margin: 1rem 0 1.5rem; }
 figure img, figure video { display: block; max-width: 100%; height: auto; }
+.wide { overflow-x: auto; }
+.wide img { width: 100%; min-width: 36rem; max-width: none; }
 figcaption { font-size: .875rem; color: #444; margin-top: .5rem; max-width: 42rem; }
 .scroll { overflow-x: auto; }
 table { border-collapse: collapse; font-size: .9375rem; margin: .5rem 0 1rem; }
@@ -40,10 +42,13 @@ pre { white-space: pre-wrap; background: #f6f6f6; padding: .75rem; font: .8125re
 @media print {
   body { max-width: none; padding: 0; font-size: 10pt; }
   h2, h3 { break-after: avoid; }
+  .wide img { min-width: 0; }
   figure, tr { break-inside: avoid; }
   .screen { display: none; }
 }
 )";
+
+constexpr double widest = 150.0;  // mm, of a picture that a phone may shrink; a wider one scrolls in itself
 
 Result<std::string> bytesOf(const fs::path& path) {
   std::ifstream file(path, std::ios::binary);
@@ -132,13 +137,16 @@ Result<Done> HtmlPage::figure(const fs::path& file, std::string_view before, std
 
 Result<Done> HtmlPage::picture(const fs::path& png, double width, std::string_view alt,
                                std::string_view caption) {
-  return figure(png, "<figure><img src=\"data:image/png;base64,",
-                fmt::format("\" alt=\"{}\" style=\"width: {:g}mm\" />", htmlText(alt), width), caption);
+  const bool wide = width > widest;
+  const std::string size = wide ? "" : fmt::format(" style=\"width: {:.0f}mm\"", width);
+  return figure(png,
+                fmt::format("<figure{}><img src=\"data:image/png;base64,", wide ? " class=\"wide\"" : ""),
+                fmt::format("\" alt=\"{}\"{} />", htmlText(alt), size), caption);
 }
 
 Result<Done> HtmlPage::film(const fs::path& mp4, std::string_view alt, std::string_view caption) {
   return figure(mp4,
-                "<figure class=\"screen\"><video controls=\"controls\" loop=\"loop\" "
+                "<figure><video class=\"screen\" controls=\"controls\" loop=\"loop\" "
                 "playsinline=\"playsinline\" src=\"data:video/mp4;base64,",
                 fmt::format("\" aria-label=\"{}\"></video>", htmlText(alt)), caption);
 }

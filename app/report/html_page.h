@@ -24,7 +24,8 @@ class HtmlPage {
   void table(const std::vector<std::string>& head, const std::vector<std::vector<std::string>>& rows);
   /// Text as it was typed, long lines broken.
   void verbatim(std::string_view text);
-  /// A PNG, at most `width` mm wide. `alt` says in words what it shows, `caption` stands below it.
+  /// A PNG, `width` mm wide where there is room. `alt` says in words what it shows, `caption` stands below
+  /// it.
   Result<Done> picture(const std::filesystem::path& png, double width, std::string_view alt,
                        std::string_view caption);
   /// An MP4 with controls.

@@ -30,9 +30,9 @@ class Report {
   }
 
   Result<Done> write() {
-    for (const auto section :
-         {&Report::numbers, &Report::snapshots, &Report::mixing, &Report::flux, &Report::velocities,
-          &Report::cells, &Report::pressure, &Report::films, &Report::records, &Report::scenes})
+    for (const auto section : {&Report::beginning, &Report::numbers, &Report::snapshots, &Report::mixing,
+                               &Report::flux, &Report::velocities, &Report::cells, &Report::pressure,
+                               &Report::films, &Report::records, &Report::scenes})
       if (auto done = (this->*section)(); !done) return done;
     const fs::path file = folder_ / "report.html";
     auto written = page_.write(file);
@@ -42,9 +42,7 @@ class Report {
 
  private:
   std::string title() const {
-    std::string text;
-    for (const std::string& run : titles_) text += (text.empty() ? "" : " | ") + run;
-    return text;
+    return several() ? fmt::format("{} runs compared", runs_.size()) : titles_.front();
   }
   bool several() const { return runs_.size() > 1; }
 
@@ -61,6 +59,18 @@ class Report {
     return several() ? fmt::format("{}: {}", titles_[indexOf(run)], text) : text;
   }
   std::size_t indexOf(const RecordedRun& run) const { return static_cast<std::size_t>(&run - runs_.data()); }
+
+  /// Which runs these are, by the names the page goes on to call them.
+  Result<Done> beginning() {
+    for (std::size_t i = 0; i < runs_.size(); ++i) {
+      const std::string which =
+          fmt::format("scene {}, seed {}, {:g} to {:g} s", runs_[i].scene().name, runs_[i].scene().seed,
+                      runs_[i].reader.times().front(), runs_[i].end());
+      page_.paragraph(several() ? fmt::format("{}: {} ({})", runs_[i].name, titles_[i], which)
+                                : fmt::format("Run {}: {}", runs_[i].name, which));
+    }
+    return Done{};
+  }
 
   Result<Done> numbers() {
     std::vector<std::string> head{""};

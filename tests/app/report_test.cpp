@@ -173,11 +173,10 @@ TEST_F(PipelineReport, PlotsSeedsAsABand) {
   const Outcome o = bedmix({"plot", "s1", "s2", "light", "s3", "-o", "p.svg", "--kind", "flux", "--band"});
   ASSERT_EQ(o.exitCode, 0) << o.err;
   const std::string header = readFile(folder / "p.svg.csv");
-  EXPECT_EQ(
-      header.substr(0, header.find('\n')),
-      "time,\"s1, median of 3, 10-90 %\",\"s1, median of 3, 10-90 % low\",\"s1, median of 3, 10-90 % high\","
-      "\"light, median of 1, 10-90 %\",\"light, median of 1, 10-90 % low\",\"light, median of 1, 10-90 % "
-      "high\"");
+  EXPECT_EQ(header.substr(0, header.find('\n')),
+            "time,\"s1, 3 runs\",\"s1, 3 runs low\",\"s1, 3 runs high\","
+            "\"light, 1 run\",\"light, 1 run low\",\"light, 1 run "
+            "high\"");
 }
 
 class FaultsOfFigures : public ProgramTest {
