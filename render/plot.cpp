@@ -177,12 +177,15 @@ Result<const PlotKind*> findPlotKind(std::string_view name) {
   return Diagnostic{{}, fmt::format("there is no kind of plot '{}'; the kinds are {}", name, known)};
 }
 
-Result<Done> writePlot(const std::filesystem::path& path, const PlotKind& kind, std::span<const Curve> curves,
-                       std::span<const Level> levels) {
-  const bool drawable = std::any_of(curves.begin(), curves.end(), [](const Curve& c) {
+bool hasValues(std::span<const Curve> curves) {
+  return std::any_of(curves.begin(), curves.end(), [](const Curve& c) {
     return std::any_of(c.y.begin(), c.y.end(), [](double y) { return std::isfinite(y); });
   });
-  if (!drawable)
+}
+
+Result<Done> writePlot(const std::filesystem::path& path, const PlotKind& kind, std::span<const Curve> curves,
+                       std::span<const Level> levels) {
+  if (!hasValues(curves))
     return Diagnostic{{path.string()}, "there is no value to plot; is the run shorter than a sample?"};
   return drawTable(path, commandsFor(kind, curves, levels), tableOf(curves), sizeFor(curves, levels));
 }

@@ -40,6 +40,9 @@ struct Curve {
   bool hasBand() const { return !low.empty(); }
 };
 
+/// Whether there is anything to draw.
+bool hasValues(std::span<const Curve> curves);
+
 /// A height the curves are to be seen against.
 struct Level {
   double y = 0.0;

@@ -11,6 +11,7 @@
 #include <cstring>
 #include <fstream>
 #include <iterator>
+#include <utility>
 
 namespace fs = std::filesystem;
 
@@ -105,15 +106,20 @@ HtmlPage::HtmlPage(std::string_view title) : title_(htmlText(title)) {
   body_ = fmt::format("<h1>{}</h1>\n", title_);
 }
 
-void HtmlPage::heading(std::string_view text) { body_ += fmt::format("<h2>{}</h2>\n", htmlText(text)); }
-void HtmlPage::subheading(std::string_view text) { body_ += fmt::format("<h3>{}</h3>\n", htmlText(text)); }
-void HtmlPage::paragraph(std::string_view text) { body_ += fmt::format("<p>{}</p>\n", htmlText(text)); }
-void HtmlPage::verbatim(std::string_view text) { body_ += fmt::format("<pre>{}</pre>\n", htmlText(text)); }
+void HtmlPage::heading(std::string_view text) { heading_ = fmt::format("<h2>{}</h2>\n", htmlText(text)); }
+void HtmlPage::subheading(std::string_view text) { add(fmt::format("<h3>{}</h3>\n", htmlText(text))); }
+void HtmlPage::paragraph(std::string_view text) { add(fmt::format("<p>{}</p>\n", htmlText(text))); }
+void HtmlPage::verbatim(std::string_view text) { add(fmt::format("<pre>{}</pre>\n", htmlText(text))); }
+
+void HtmlPage::add(std::string_view html) {
+  body_ += std::exchange(heading_, {});
+  body_ += html;
+}
 
 void HtmlPage::table(const std::vector<std::string>& head,
                      const std::vector<std::vector<std::string>>& rows) {
   if (rows.empty()) return;
-  body_ += "<div class=\"scroll\"><table>\n<thead><tr>";
+  add("<div class=\"scroll\"><table>\n<thead><tr>");
   for (const std::string& cell : head) body_ += fmt::format("<th scope=\"col\">{}</th>", htmlText(cell));
   body_ += "</tr></thead>\n<tbody>\n";
   for (const auto& row : rows) {
@@ -128,7 +134,7 @@ Result<Done> HtmlPage::figure(const fs::path& file, std::string_view before, std
                               std::string_view caption) {
   const auto bytes = bytesOf(file);
   if (!bytes) return bytes.problems;
-  body_ += before;
+  add(before);
   body_ += base64(*bytes);
   body_ += after;
   body_ += fmt::format("\n<figcaption>{}</figcaption></figure>\n", htmlText(caption));

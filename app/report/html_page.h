@@ -17,6 +17,7 @@ class HtmlPage {
  public:
   explicit HtmlPage(std::string_view title);
 
+  /// Left out where nothing follows before the next one.
   void heading(std::string_view text);
   void subheading(std::string_view text);
   void paragraph(std::string_view text);
@@ -35,10 +36,11 @@ class HtmlPage {
   Result<Done> write(const std::filesystem::path& path) const;
 
  private:
+  void add(std::string_view html);
   Result<Done> figure(const std::filesystem::path& file, std::string_view before, std::string_view after,
                       std::string_view caption);
 
-  std::string title_, body_;
+  std::string title_, body_, heading_;
 };
 
 /// As text in HTML, quotes included.

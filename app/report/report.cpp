@@ -99,43 +99,38 @@ class Report {
   }
 
   Result<Done> mixing() {
-    const PlotKind& kind = **findPlotKind("mixing");
     page_.heading("Mixing");
     for (std::size_t i = 0; i < runs_.size(); ++i) {
-      const auto done = curves(std::span(paths_).subspan(i, 1), kind, fileOf(runs_[i], "mixing.png"),
+      const auto done = curves(std::span(paths_).subspan(i, 1), "mixing", fileOf(runs_[i], "mixing.png"),
                                about(runs_[i], "Lacey's and Ashton's indices of mixing over time."));
       if (!done) return done;
     }
     if (!several()) return Done{};
-    return curves(paths_, **findPlotKind("compare"), folder_ / "compare.png", "Ashton's index of the runs.");
+    return curves(paths_, "compare", folder_ / "compare.png", "Ashton's index of the runs.");
   }
-
   Result<Done> flux() {
-    return overTime("flux", "Solids flux",
-                    "Solids flux through the window on the bed's centre line, positive leftward.");
+    page_.heading("Solids flux");
+    return curves(paths_, "flux", folder_ / "flux.png",
+                  "Solids flux through the scene's window, positive leftward.");
   }
   Result<Done> pressure() {
-    return overTime(
-        "pressure", "Pressure drop",
+    page_.heading("Pressure drop");
+    return curves(
+        paths_, "pressure", folder_ / "pressure.png",
         "Pressure drop of the gas over the bed; dashed, where drawn: the weight of the particles per area.");
   }
 
-  /// The plot of those of the runs that have such a series.
-  Result<Done> overTime(const char* name, const char* heading, const char* caption) {
-    const PlotKind& kind = **findPlotKind(name);
-    std::vector<std::string> with;
-    for (const std::string& path : paths_)
-      if (hasSeries(path, kind)) with.push_back(path);
-    if (with.empty()) return Done{};
-    page_.heading(heading);
-    return curves(with, kind, folder_ / fmt::format("{}.png", name), caption);
-  }
-
-  Result<Done> curves(std::span<const std::string> runs, const PlotKind& kind, const fs::path& file,
+  /// The plot of those of the runs that have something to draw, if any.
+  Result<Done> curves(std::span<const std::string> runs, const char* kindName, const fs::path& file,
                       const std::string& caption) {
-    const auto drawn = curvesOf(runs, kind);
+    const PlotKind& kind = **findPlotKind(kindName);
+    std::vector<std::string> with;
+    for (const std::string& run : runs)
+      if (hasSeries(run, kind)) with.push_back(run);
+    const auto drawn = curvesOf(with, kind);
     if (!drawn) return drawn.problems;
-    if (auto done = writePlot(file, kind, *drawn, levelsOf(runs, kind)); !done) return done;
+    if (!hasValues(*drawn)) return Done{};
+    if (auto done = writePlot(file, kind, *drawn, levelsOf(with, kind)); !done) return done;
     say(file);
     return page_.picture(file, plotWidth, caption, caption);
   }
@@ -181,8 +176,9 @@ class Report {
       if (auto done = filmForPage(run.reader, file, console_); !done) return done;
       say(file);
       const double from = run.reader.times().front();
-      const std::string caption = about(run, fmt::format("{:g} to {:g} s, {:g} simulated seconds a second.",
-                                                         from, run.end(), filmSpeed(run.end() - from)));
+      const std::string caption =
+          about(run, fmt::format("{}, {:g} to {:g} s, {:g} simulated seconds a second.",
+                                 file.filename().string(), from, run.end(), filmSpeed(run.end() - from)));
       if (auto done = page_.film(file, "Film of the bed, " + caption, caption); !done) return done;
     }
     return Done{};
