@@ -22,8 +22,9 @@ struct SheetOptions {
 Result<Style> styleFor(const SheetOptions& options) {
   if (options.layers.empty()) return sheetStyle;
   auto layers = parseLayers(options.layers);
-  if (layers && layers->has(Layer::hud))
-    layers = Diagnostic{{}, "hud has no place in a sheet, which has its times, scale and legend anyway"};
+  if (layers && (layers->has(Layer::hud) || layers->has(Layer::curve)))
+    layers = Diagnostic{
+        {}, "hud and curve have no place in a sheet, which has its times, scale and legend anyway"};
   if (layers) return Style(*layers);
   for (Diagnostic& d : layers.problems) d.at.file = "--layers";
   return layers.problems;

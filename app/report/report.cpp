@@ -32,7 +32,7 @@ class Report {
   Result<Done> write() {
     for (const auto section : {&Report::beginning, &Report::numbers, &Report::snapshots, &Report::mixing,
                                &Report::flux, &Report::velocities, &Report::cells, &Report::pressure,
-                               &Report::films, &Report::records, &Report::scenes})
+                               &Report::film, &Report::records, &Report::scenes})
       if (auto done = (this->*section)(); !done) return done;
     const fs::path file = folder_ / "report.html";
     auto written = page_.write(file);
@@ -169,19 +169,19 @@ class Report {
                          caption);
   }
 
-  Result<Done> films() {
-    page_.heading("Film");
-    for (RecordedRun& run : runs_) {
-      const fs::path file = fileOf(run, "film.mp4");
-      if (auto done = filmForPage(run.reader, file, console_); !done) return done;
-      say(file);
-      const double from = run.reader.times().front();
-      const std::string caption =
-          about(run, fmt::format("{}, {:g} to {:g} s, {:g} simulated seconds a second.",
-                                 file.filename().string(), from, run.end(), filmSpeed(run.end() - from)));
-      if (auto done = page_.film(file, "Film of the bed, " + caption, caption); !done) return done;
+  Result<Done> film() {
+    const fs::path file = folder_ / "film.mp4";
+    if (auto done = filmForPage(runs_, file, console_); !done) return done;
+    say(file);
+    double from = runs_.front().reader.times().front(), to = runs_.front().end();
+    for (const RecordedRun& run : runs_) {
+      from = std::min(from, run.reader.times().front());
+      to = std::max(to, run.end());
     }
-    return Done{};
+    const std::string caption = fmt::format("{}: {:g} to {:g} s, {:g} simulated seconds a second.",
+                                            file.filename().string(), from, to, filmSpeed(to - from));
+    page_.heading("Film");
+    return page_.film(file, fmt::format("{}, film: {}", title(), caption), caption);
   }
 
   Result<Done> records() {

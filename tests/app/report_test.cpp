@@ -134,11 +134,11 @@ TEST_F(PipelineReport, ComparesRunsWithAndWithoutGas) {
   ASSERT_EQ(o.exitCode, 0) << o.err;
   const auto files = filesIn(folder / "out");
   for (const char* name : {"sheet.png", "compare.png", "pressure.png", "gas-run-mixing.png",
-                           "still-run-mixing.png", "gas-run-film.mp4", "still-run-velocity.png"})
+                           "still-run-mixing.png", "film.mp4", "still-run-velocity.png"})
     EXPECT_TRUE(files.contains(name)) << name;
   const Page page = parse(readFile(folder / "out/report.html"));
   EXPECT_EQ(page.error, "");
-  EXPECT_EQ(tagsOf(page, "video").size(), 2u);
+  EXPECT_EQ(tagsOf(page, "video").size(), 1u);  // side by side
 }
 
 TEST_F(PipelineReport, ReplacesItsOwnFilesOnly) {
@@ -195,7 +195,8 @@ TEST_F(FaultsOfFigures, AreExplainedAndLeaveNoFile) {
   expectFault(2, "--times: there is no frame at t = 9 s; the run goes from 0 to 0.05 s",
               {"sheet", "r", "-o", "s.png", "--times", "0,9"});
   expectFault(2, "--layers: there is no layer", {"sheet", "r", "-o", "s.png", "--layers", "particels"});
-  expectFault(2, "--layers: hud has no place in a sheet", {"sheet", "r", "-o", "s.png", "--layers", "hud"});
+  expectFault(2, "--layers: hud and curve have no place in a sheet",
+              {"sheet", "r", "-o", "s.png", "--layers", "hud"});
   expectFault(2, "--kind: there is no kind of plot 'histogram'",
               {"plot", "r", "-o", "p.png", "--kind", "histogram"});
   expectFault(4, "has no mixing.csv", {"plot", ".", "-o", "p.png"});
