@@ -8,7 +8,6 @@
 
 namespace bedmix {
 
-inline constexpr Rgba white{255, 255, 255};
 inline constexpr Rgba ink{0, 0, 0};                // text, scale bar
 inline constexpr Rgba tracerColor{0, 0, 0};        // species 1
 inline constexpr Rgba restColor{0, 158, 115};      // species 0

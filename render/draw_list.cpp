@@ -119,7 +119,7 @@ void DrawList::clear() {
 }
 
 void drawBed(DrawList& list, const Scene& scene, const Frame& frame, const Camera& camera, const Style& style,
-             float em) {
+             float em, [[maybe_unused]] const History& history) {
   const Layers layers = style.layers;
   if (layers.has(Layer::voidage))
     drawField(list, scene, frame.gas.voidage, camera, colorRange(scene, Layer::voidage));

@@ -5,6 +5,7 @@
 #include "engine/core/scene.h"
 #include "render/camera.h"
 #include "render/colors.h"
+#include "render/history.h"
 #include "render/style.h"
 
 #include <string>
@@ -49,11 +50,11 @@ struct DrawList {
   void clear();
 };
 
-/// Appends the bed's layers (all but the HUD) as the camera sees them. Line widths follow `em`, the height of
-/// the picture's text, px. Discs that lie wholly outside `list.clip` are left out. A layer of the gas needs a
-/// frame with gas.
+/// Appends the bed's layers (all but HUD and curve) as the camera sees them. Line widths follow `em`, the
+/// height of the picture's text, px. Discs that lie wholly outside `list.clip` are left out. A layer of the
+/// gas needs a frame with gas, trails and colours of the start need a history that has seen the frame.
 void drawBed(DrawList& list, const Scene& scene, const Frame& frame, const Camera& camera, const Style& style,
-             float em);
+             float em, const History& history = {});
 
 /// Appends a scale bar of a round length and its label, its left end and lower edge at `at`.
 void drawScaleBar(DrawList& list, const Scene& scene, const Camera& camera, Vec2f at, float em);

@@ -83,7 +83,8 @@ void drawState(Column column, const Scene& scene, const Frame& frame) {
   column.text(indexText("Ashton", mixing.ashton));
 }
 
-void drawLegend(Column column, const Scene& scene, Layers layers, const Camera& camera, float em) {
+void drawLegend(Column column, const Scene& scene, const Style& style, const Camera& camera, float em) {
+  const Layers layers = style.layers;
   const auto arrow = [&](Layer layer, const char* what, Rgba color) {
     const float pxPerSpeed = camera.length(arrowScale(scene, layer));
     const double speed = roundDown(static_cast<double>(longestSign * em / pxPerSpeed));
@@ -101,7 +102,8 @@ void drawLegend(Column column, const Scene& scene, Layers layers, const Camera& 
 
 }  // namespace
 
-HudRowCount hudRowCount(const Scene& scene, Layers layers) {
+HudRowCount hudRowCount(const Scene& scene, const Style& style) {
+  const Layers layers = style.layers;
   HudRowCount rows;
   rows.state = scene.gas ? 5 : 4;
   rows.legend =
@@ -110,9 +112,10 @@ HudRowCount hudRowCount(const Scene& scene, Layers layers) {
   return rows;
 }
 
-void drawHud(DrawList& list, const Scene& scene, const Frame& frame, Layers layers, const Layout& layout) {
+void drawHud(DrawList& list, const Scene& scene, const Frame& frame, const Style& style,
+             const Layout& layout) {
   drawState({list, layout.state, layout.em}, scene, frame);
-  drawLegend({list, layout.legend, layout.em}, scene, layers, layout.camera, layout.em);
+  drawLegend({list, layout.legend, layout.em}, scene, style, layout.camera, layout.em);
   drawScaleBar(list, scene, layout.camera, layout.scaleBar, layout.em);
 
   const double top = layout.camera.heightAt(layout.view.top);

@@ -5,22 +5,24 @@
 #include "engine/core/scene.h"
 #include "render/draw_list.h"
 #include "render/layout.h"
+#include "render/style.h"
 
 #include <span>
 
 namespace bedmix {
 
 /// What the HUD says: first the state (time, particles, gas supply, mixing indices now), then the legend of
-/// the layers. Both numbers depend on scene and layers only.
+/// the layers. Both numbers depend on scene and style only.
 struct HudRowCount {
   int state = 0;
   int legend = 0;
 };
-HudRowCount hudRowCount(const Scene& scene, Layers layers);
+HudRowCount hudRowCount(const Scene& scene, const Style& style);
 inline constexpr float hudLine = 1.35f;  // em, distance of rows
 
 /// Appends the HUD's rows, the scale bar, and how many particles are above the view if any are.
-void drawHud(DrawList& list, const Scene& scene, const Frame& frame, Layers layers, const Layout& layout);
+void drawHud(DrawList& list, const Scene& scene, const Frame& frame, const Style& style,
+             const Layout& layout);
 
 /// "t = 0.50 s" with this many decimals.
 std::string timeLabel(double time, int decimals);

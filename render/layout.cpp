@@ -28,7 +28,8 @@ double viewHeight(const Scene& scene) {
   return scene.bed.top == BedTop::open ? 1.1 * scene.bed.height : scene.bed.height;
 }
 
-Layout layoutPicture(const Scene& scene, Size size, Layers layers) {
+Layout layoutPicture(const Scene& scene, Size size, const Style& style) {
+  const Layers layers = style.layers;
   const float width = static_cast<float>(size.width), height = static_cast<float>(size.height);
   Layout layout;
   layout.em = std::clamp(std::round(std::min(width / 20.0f, height / 36.0f)), 8.0f, 128.0f);
@@ -40,7 +41,7 @@ Layout layoutPicture(const Scene& scene, Size size, Layers layers) {
   if (hud) below += scaleBarBand * em;
   const Box full{edge, edge, width - edge, std::max(height - below, 0.5f * height)};
 
-  const HudRowCount rows = hudRowCount(scene, layers);
+  const HudRowCount rows = hudRowCount(scene, style);
   Box room = full;
   bool beside = false;
   if (hud) {

@@ -4,11 +4,11 @@
 #include "engine/core/scene.h"
 #include "render/camera.h"
 #include "render/image.h"
-#include "render/layers.h"
+#include "render/style.h"
 
 namespace bedmix {
 
-/// Where things are in a picture of one bed. Depends on scene, layers and size alone, so that a film is
+/// Where things are in a picture of one bed. Depends on scene, style and size alone, so that a film is
 /// steady.
 struct Layout {
   Camera camera;
@@ -20,7 +20,7 @@ struct Layout {
 };
 
 /// The whole bed and, with the layer, the HUD above it or to its left, whichever leaves the bed larger.
-Layout layoutPicture(const Scene& scene, Size size, Layers layers);
+Layout layoutPicture(const Scene& scene, Size size, const Style& style);
 
 /// The height that pictures of the bed show, m: a tenth more than the bed where its top is open, which
 /// the paper's beds stay below when the gas first lifts them.

@@ -3,6 +3,7 @@
 
 #include "render/hud.h"
 #include "render/hud_rows.h"
+#include "render/layers.h"
 #include "render/layout.h"
 #include "render/surface.h"
 
@@ -21,6 +22,7 @@ struct Painter::State {
   Surface surface;
   Hud hud;
   DrawList bed, overlay;
+  History history;
 };
 
 Painter::Painter(std::unique_ptr<State> state) : state_(std::move(state)) {}
@@ -31,14 +33,21 @@ Painter& Painter::operator=(Painter&&) noexcept = default;
 Result<Painter> Painter::create(const Scene& scene, const PaintOptions& options) {
   const Size size = options.size == Size{} ? defaultSize(scene) : options.size;
   std::vector<Diagnostic> problems = sizeProblems(size);
-  for (Diagnostic& problem : missingFor(scene, options.style.layers)) problems.push_back(std::move(problem));
+  for (Diagnostic& problem : missingFor(scene, options.style)) problems.push_back(std::move(problem));
   if (!problems.empty()) return problems;
   Result<Surface> surface = Surface::create(options.threads);
   if (!surface) return surface.problems;
 
-  const Layout layout = layoutPicture(scene, size, options.style.layers);
-  auto state = std::make_unique<State>(
-      State{scene, size, options.style, layout, std::move(*surface), Hud(layout.em), {}, {}});
+  const Layout layout = layoutPicture(scene, size, options.style);
+  auto state = std::make_unique<State>(State{scene,
+                                             size,
+                                             options.style,
+                                             layout,
+                                             std::move(*surface),
+                                             Hud(layout.em),
+                                             {},
+                                             {},
+                                             History(options.style)});
   state->surface.setGlyphs(state->hud.glyphs());
   state->bed.clip = layout.view;
   state->overlay.clip = {0.0f, 0.0f, static_cast<float>(size.width), static_cast<float>(size.height)};
@@ -47,17 +56,19 @@ Result<Painter> Painter::create(const Scene& scene, const PaintOptions& options)
 
 Size Painter::size() const { return state_->size; }
 
+void Painter::observe(const Frame& frame) { state_->history.observe(frame); }
+
 Result<Done> Painter::paint(const Frame& frame, Image& into) {
   State& s = *state_;
-  if (std::vector<Diagnostic> missing = missingFor(s.scene, frame, s.style.layers); !missing.empty())
-    return missing;
+  if (std::vector<Diagnostic> missing = missingFor(s.scene, frame, s.style); !missing.empty()) return missing;
+  s.history.observe(frame);
   into.resize(s.size);
   s.bed.clear();
   s.overlay.clear();
-  drawBed(s.bed, s.scene, frame, s.layout.camera, s.style, s.layout.em);
-  if (s.style.layers.has(Layer::hud)) drawHud(s.overlay, s.scene, frame, s.style.layers, s.layout);
+  drawBed(s.bed, s.scene, frame, s.layout.camera, s.style, s.layout.em, s.history);
+  if (s.style.layers.has(Layer::hud)) drawHud(s.overlay, s.scene, frame, s.style, s.layout);
 
-  s.surface.begin(into, white);
+  s.surface.begin(into, s.style.ground);
   s.surface.draw(s.bed);
   s.surface.draw(s.overlay);
   s.surface.draw(s.hud.mesh(s.size, s.overlay.texts));

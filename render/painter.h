@@ -32,6 +32,9 @@ class Painter {
   Painter& operator=(Painter&&) noexcept;
 
   Size size() const;
+  /// Takes note of a frame that is not painted but comes before one that is: what trails and colours of the
+  /// start are made from. The first frame that is observed or painted is the start.
+  void observe(const Frame& frame);
   /// `into` is resized and overwritten; keep it for the next frame and nothing is allocated. Fails where the
   /// frame lacks the gas a layer needs.
   Result<Done> paint(const Frame& frame, Image& into);

@@ -4,6 +4,7 @@
 #include "render/draw_walls.h"
 #include "render/hud.h"
 #include "render/hud_rows.h"
+#include "render/layers.h"
 #include "render/layout.h"
 #include "render/surface.h"
 

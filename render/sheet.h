@@ -5,7 +5,7 @@
 #include "engine/core/frame.h"
 #include "engine/core/scene.h"
 #include "render/image.h"
-#include "render/layers.h"
+#include "render/style.h"
 
 #include <optional>
 #include <span>

@@ -11,31 +11,9 @@
 namespace bedmix {
 namespace {
 
-TEST(Layers, AreReadFromAList) {
-  const Result<Layers> layers = parseLayers("particles,velocity,hud");
-  ASSERT_TRUE(layers);
-  EXPECT_EQ(*layers, (Layers{Layer::particles, Layer::velocity, Layer::hud}));
-  EXPECT_FALSE(layers->has(Layer::walls));
+TEST(Layers, TwoFieldsCannotShareTheCells) {
+  EXPECT_EQ(missingFor(test::flatBed(), {Layer::pressure, Layer::voidage}).size(), 1u);
 }
-
-TEST(Layers, EveryNameOfTheTableIsItsLayer) {
-  for (std::size_t i = 0; i < layerTable.size(); ++i) {
-    const Result<Layers> layers = parseLayers(layerTable[i].name);
-    ASSERT_TRUE(layers) << layerTable[i].name;
-    EXPECT_EQ(*layers, Layers{static_cast<Layer>(i)}) << layerTable[i].name;
-  }
-}
-
-TEST(Layers, UnknownOnesAreAnsweredWithTheTable) {
-  const Result<Layers> layers = parseLayers("particles,speed,,hud");
-  ASSERT_FALSE(layers);
-  ASSERT_EQ(layers.problems.size(), 2u);  // 'speed' and the empty name
-  EXPECT_NE(layers.problems[0].message.find("'speed'"), std::string::npos);
-  for (const LayerInfo& info : layerTable)
-    EXPECT_NE(layers.problems[0].message.find(info.name), std::string::npos) << info.name;
-}
-
-TEST(Layers, TwoFieldsCannotShareTheCells) { EXPECT_EQ(parseLayers("pressure,voidage").problems.size(), 1u); }
 
 TEST(Layers, OfTheGasNeedGas) {
   const Layers all{Layer::particles, Layer::gas, Layer::voidage};
