@@ -21,15 +21,23 @@ struct FilmSink::State {
   std::string file;  // for messages
   Painter painter;
   EncodingThread encoder;
-  Frame last;  // seen, and shown until the next one's time
-  bool any = false;
-  bool painted = false;  // `picture` shows `last`
+  std::vector<Frame> last;          // seen of each bed, and shown until the next one's time
+  std::vector<const Frame*> shown;  // those; null where none was seen
+  double now = 0.0;                 // s, time of the newest of them
+  bool painted = false;             // `picture` shows them
   Image picture;
   std::int64_t pictures = 0;
   std::vector<Diagnostic> problems;
 
   State(const FilmOptions& o, std::string name, Painter p, Movie movie)
-      : options(o), file(std::move(name)), painter(std::move(p)), encoder(std::move(movie)) {}
+      : options(o),
+        file(std::move(name)),
+        painter(std::move(p)),
+        encoder(std::move(movie)),
+        last(painter.beds()),
+        shown(painter.beds()) {}
+
+  bool isComplete() const { return std::find(shown.begin(), shown.end(), nullptr) == shown.end(); }
 
   double filmTime() const {
     return options.from + static_cast<double>(pictures) * options.speed / options.fps;
@@ -39,10 +47,10 @@ struct FilmSink::State {
   void showUntil(double time);
 };
 
-/// Adds one picture of the last frame.
+/// Adds one picture of the last frames.
 void FilmSink::State::show() {
   if (!painted) {
-    if (Result<Done> done = painter.paint(last, picture); !done) {
+    if (Result<Done> done = painter.paint(shown, picture); !done) {
       problems = done.problems;
       return;
     }
@@ -53,7 +61,8 @@ void FilmSink::State::show() {
 }
 
 void FilmSink::State::showUntil(double time) {
-  while (any && problems.empty() && !encoder.failed() && filmTime() <= std::min(time, options.to + rounding))
+  while (isComplete() && problems.empty() && !encoder.failed() &&
+         filmTime() <= std::min(time, options.to + rounding))
     show();
 }
 
@@ -62,7 +71,7 @@ FilmSink::~FilmSink() = default;
 FilmSink::FilmSink(FilmSink&&) noexcept = default;
 FilmSink& FilmSink::operator=(FilmSink&&) noexcept = default;
 
-Result<FilmSink> FilmSink::create(const Scene& scene, const std::filesystem::path& path,
+Result<FilmSink> FilmSink::create(std::vector<PaintedBed> beds, const std::filesystem::path& path,
                                   const FilmOptions& options) {
   if (!(options.fps > 0.0 && options.fps <= 1000.0))
     return Diagnostic{
@@ -71,29 +80,36 @@ Result<FilmSink> FilmSink::create(const Scene& scene, const std::filesystem::pat
     return Diagnostic{
         {},
         fmt::format("a speed of {:g} simulated s per s of film never ends; give more than 0", options.speed)};
-  Result<Painter> painter = Painter::create(scene, options.paint);
+  Result<Painter> painter = Painter::create(std::move(beds), options.paint);
   if (!painter) return painter.problems;
   Result<Movie> movie = Movie::create(path, painter->size(), options.fps);
   if (!movie) return movie.problems;
   return FilmSink(std::make_unique<State>(options, path.string(), std::move(*painter), std::move(*movie)));
 }
 
-void FilmSink::accept(const Frame& frame) {
+Result<FilmSink> FilmSink::create(const Scene& scene, const std::filesystem::path& path,
+                                  const FilmOptions& options) {
+  return create({{scene, ""}}, path, options);
+}
+
+void FilmSink::accept(std::size_t bed, const Frame& frame) {
   State& s = *state_;
   s.showUntil(frame.time - rounding);
-  s.last = frame;
-  s.any = true;
+  s.painter.observe(bed, frame);
+  s.last[bed] = frame;
+  s.shown[bed] = &s.last[bed];
+  s.now = frame.time;
   s.painted = false;
 }
 
 Result<Done> FilmSink::finish() {
   State& s = *state_;
-  s.showUntil(s.last.time + rounding);
+  s.showUntil(s.now + rounding);
   if (!s.problems.empty()) return s.problems;
   if (s.pictures == 0)
     return Diagnostic{{s.file},
                       fmt::format("no frame lies between {:g} and {:g} s; the last one is at {:g} s",
-                                  s.options.from, s.options.to, s.last.time)};
+                                  s.options.from, s.options.to, s.now)};
   return s.encoder.finish();
 }
 

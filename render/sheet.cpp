@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "render/sheet.h"
 
+#include "render/draw_bed.h"
 #include "render/draw_walls.h"
 #include "render/hud.h"
 #include "render/hud_rows.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "render/draw_list.h"
-
 #include "engine/core/gas_grid.h"
+#include "render/draw_bed.h"
+#include "render/scales.h"
 #include "tests/render/bed.h"
 
 #include <gtest/gtest.h>

@@ -2,6 +2,7 @@
 #include "render/hud.h"
 
 #include "render/hud_rows.h"
+#include "render/scales.h"
 #include "tests/render/bed.h"
 
 #include <gtest/gtest.h>
