@@ -12,6 +12,8 @@ namespace bedmix {
 
 namespace {
 
+constexpr std::int32_t fewest = 5;  // particles that make a mean
+
 /// In the picture y points down.
 Vec2f shiftOf(Vec2f velocity, float pxPerSpeed) {
   return {pxPerSpeed * velocity.x, -pxPerSpeed * velocity.y};
@@ -37,7 +39,7 @@ void drawVelocity(DrawList& list, const BedView& view) {
 
 void drawFlow(DrawList& list, const BedView& view) {
   const SamplingGrid grid = samplingGrid(view.scene);
-  const std::vector<Vec2> mean = meanVelocities(view.frame, grid);
+  const std::vector<Vec2> mean = meanVelocities(view.frame, grid, fewest);
   const double dx = grid.width / grid.columns, dy = grid.height / grid.rows;
   const float pxPerSpeed = view.camera.length(arrowScale(view.scene, Layer::flow));
   const float width = std::clamp(view.camera.length(0.06 * std::min(dx, dy)), 1.5f, 0.3f * view.em);

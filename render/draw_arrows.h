@@ -8,7 +8,8 @@ namespace bedmix {
 /// Appends an arrow from each particle's centre, as long as it is fast.
 void drawVelocity(DrawList& list, const BedView& view);
 
-/// Appends an arrow through the middle of each sampling cell that holds particles: their mean velocity.
+/// Appends an arrow through the middle of each sampling cell that holds at least five particles: their mean
+/// velocity.
 void drawFlow(DrawList& list, const BedView& view);
 
 /// Appends an arrow through the middle of each open gas cell.

@@ -27,7 +27,7 @@ float cellHeight(const SamplingGrid& grid, const Camera& camera) {
 /// Height of two lines of text that fit a cell, px.
 float textSize(const SamplingGrid& grid, const Camera& camera, float em) {
   return std::floor(
-      std::min({0.9f * cellWidth(grid, camera) / longestText, 0.45f * cellHeight(grid, camera), em}));
+      std::min({0.85f * cellWidth(grid, camera) / longestText, 0.45f * cellHeight(grid, camera), em}));
 }
 
 Box cellBox(const SamplingGrid& grid, const Camera& camera, int column, int row) {
@@ -84,15 +84,20 @@ void drawCounts(DrawList& list, const BedView& view) {
   if (size < smallestText) return;
   const CellCounts counts = countCells(view.frame, grid);
   Rgba plate = view.palette.ground;
-  plate.a = 215;
+  plate.a = 225;
   forCells(grid, view.camera, [&](const Box& box, std::size_t cell) {
     if (counts.all[cell] < grid.minParticles) return;
     const Vec2f middle{0.5f * (box.left + box.right), 0.5f * (box.top + box.bottom)};
     const double fraction = static_cast<double>(counts.tracer[cell]) / counts.all[cell];
-    // A plate behind both rows, as texts are drawn over discs: a stroke as tall as the rows.
-    const float half = std::max(0.0f, 0.5f * (longestText - 2.0f) * size);
-    list.lines.push_back({middle - Vec2f{half, 0.0f}, middle + Vec2f{half, 0.0f}, 2.1f * size, 0.0f, plate});
-    list.texts.push_back({middle, {0.5f, 1.0f}, view.palette.ink, fmt::format("{}", counts.all[cell]), size});
+    // Plates behind the rows, as texts are drawn over discs: strokes as tall as a row.
+    const auto plates = [&](std::size_t characters, float down) {
+      const float half = 0.5f * (digitWidth * static_cast<float>(characters) - 0.7f) * size;
+      const Vec2f row = middle + Vec2f{0.0f, down * size};
+      list.lines.push_back({row - Vec2f{half, 0.0f}, row + Vec2f{half, 0.0f}, 1.05f * size, 0.0f, plate});
+    };
+    plates(std::to_string(counts.all[cell]).size(), -0.5f);
+    plates(4, 0.5f);
+    list.texts.push_back({middle, {0.5f, 1.0f}, view.palette.ink, std::to_string(counts.all[cell]), size});
     list.texts.push_back({middle, {0.5f, 0.0f}, view.palette.ink, fmt::format("{:.2f}", fraction), size});
   });
 }
@@ -101,7 +106,7 @@ std::vector<Diagnostic> countsProblems(const Scene& scene, const Camera& camera,
   const SamplingGrid grid = samplingGrid(scene);
   const float size = textSize(grid, camera, std::max(em, smallestText));
   if (size >= smallestText) return {};
-  const float times = std::max(longestText * smallestText / (0.9f * cellWidth(grid, camera)),
+  const float times = std::max(longestText * smallestText / (0.85f * cellWidth(grid, camera)),
                                smallestText / (0.45f * cellHeight(grid, camera)));
   return {{{},
            fmt::format("the layer 'counts' has no room in sampling cells of {:.0f} x {:.0f} pixels; take a "

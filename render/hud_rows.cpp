@@ -4,6 +4,7 @@
 #include "engine/core/mixing.h"
 #include "render/draw_bed.h"
 #include "render/legend.h"
+#include "render/scales.h"
 
 #include <fmt/format.h>
 
@@ -20,13 +21,6 @@ std::string indexText(const char* name, std::optional<double> value) {
   return value ? fmt::format("{} {:.2f}", name, *value) : fmt::format("{} -", name);
 }
 
-/// Superficial velocity over the bed's whole cross section, m/s.
-double supply(const Scene& scene) {
-  double flow = 0.0;
-  for (const Inlet& inlet : scene.gas->inlets) flow += inletVelocity(scene, inlet) * (inlet.to - inlet.from);
-  return flow / scene.bed.width;
-}
-
 void drawState(DrawList& list, Vec2f at, float em, const Scene& scene, const Frame& frame, Rgba color,
                const std::string& name) {
   const auto row = [&](std::string text) {
@@ -36,7 +30,7 @@ void drawState(DrawList& list, Vec2f at, float em, const Scene& scene, const Fra
   if (!name.empty()) row(name);
   row(timeLabel(frame.time, timeDecimals(std::array{scene.sampling.interval})));
   row(fmt::format("{} particles", frame.size()));
-  if (scene.gas) row(fmt::format("u = {:.1f} u_mf", supply(scene) / minimumFluidizationVelocity(scene)));
+  if (scene.gas) row(fmt::format("u = {:.1f} u_mf", meanInflow(scene) / minimumFluidizationVelocity(scene)));
   const MixingSample mixing = mixingSample(frame, samplingGrid(scene));
   row(indexText("Lacey", mixing.lacey));
   row(indexText("Ashton", mixing.ashton));

@@ -21,18 +21,19 @@ double weight(const Scene& scene) {  // N
   return static_cast<double>(scene.particles.count) * particleMass(scene) * scene.gravity;
 }
 
-double fastestInlet(const Scene& scene) {
-  double fastest = 0.0;
-  for (const Inlet& inlet : scene.gas->inlets) fastest = std::max(fastest, inletVelocity(scene, inlet));
-  return fastest;
-}
-
 }  // namespace
+
+double meanInflow(const Scene& scene) {
+  double flow = 0.0;
+  for (const Inlet& inlet : scene.gas->inlets) flow += inletVelocity(scene, inlet) * (inlet.to - inlet.from);
+  return flow / scene.bed.width;
+}
 
 ColorRange colorRange(const Scene& scene, Layer field) {
   if (field == Layer::voidage) return {packedVoidage, 1.0};
   if (field == Layer::gasSpeed) {
-    const double speed = fastestInlet(scene) / packedVoidage;
+    double speed = meanInflow(scene) / packedVoidage;
+    for (const Inlet& inlet : scene.gas->inlets) speed = std::max(speed, inletVelocity(scene, inlet));
     return {0.0, speed > 0.0 ? roundUp(speed) : 1.0};
   }
   const double pressure = weight(scene) / (scene.bed.width * scene.bed.thickness);
@@ -40,12 +41,12 @@ ColorRange colorRange(const Scene& scene, Layer field) {
 }
 
 ColorRange colorRange(const Scene& scene, ParticleColor color) {
-  if (color == ParticleColor::speed) return {0.0, roundUp(typicalSpeed(scene))};
+  if (color == ParticleColor::speed) return {0.0, roundUp(1.2 * typicalSpeed(scene))};
   if (color == ParticleColor::voidage) return colorRange(scene, Layer::voidage);
   if (color == ParticleColor::id)
     return {0.0, static_cast<double>(std::max<std::int64_t>(scene.particles.count - 1, 1))};
   if (color != ParticleColor::spin) return {};
-  const double spin = roundUp(0.2 * typicalSpeed(scene) / scene.particles.diameter);
+  const double spin = roundUp(0.4 * typicalSpeed(scene) / scene.particles.diameter);
   return {-spin, spin};
 }
 
@@ -53,21 +54,18 @@ double arrowScale(const Scene& scene, Layer arrows) {
   // A typical speed, and the length it is drawn with.
   double speed = typicalSpeed(scene), metres = 3.0 * scene.particles.diameter;
   if (arrows == Layer::gas) {
-    const GasGrid grid = makeGasGrid(scene);
-    double flow = 0.0;
-    for (int c = 0; c < grid.columns; ++c) flow += grid.inletFlux[c] * grid.dx(c);
-    speed = 2.0 * flow / scene.bed.width;
-    metres = grid.dx(0);
+    speed = 2.0 * meanInflow(scene);
+    metres = makeGasGrid(scene).dx(0);
   } else if (arrows == Layer::flow) {
     const SamplingGrid grid = samplingGrid(scene);
-    metres = 1.5 * std::min(grid.width / grid.columns, grid.height / grid.rows);
+    metres = 1.2 * std::min(grid.width / grid.columns, grid.height / grid.rows);
   }
   if (!(speed > 0.0)) speed = 1.0;
   return metres / speed;
 }
 
 double forceScale(const Scene& scene) {
-  const double force = 10.0 * weight(scene) * scene.particles.diameter / scene.bed.width;
+  const double force = 3.0 * weight(scene) * scene.particles.diameter / scene.bed.width;
   return force > 0.0 ? roundUp(force) : 1.0;
 }
 

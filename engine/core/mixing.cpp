@@ -43,7 +43,7 @@ CellCounts countCells(const Frame& frame, const SamplingGrid& grid) {
   return counts;
 }
 
-std::vector<Vec2> meanVelocities(const Frame& frame, const SamplingGrid& grid) {
+std::vector<Vec2> meanVelocities(const Frame& frame, const SamplingGrid& grid, std::int32_t fewest) {
   const std::size_t cells = static_cast<std::size_t>(grid.columns) * static_cast<std::size_t>(grid.rows);
   std::vector<Vec2> mean(cells);
   std::vector<std::int32_t> counts(cells);
@@ -52,7 +52,7 @@ std::vector<Vec2> meanVelocities(const Frame& frame, const SamplingGrid& grid) {
     ++counts[cell];
   });
   for (std::size_t cell = 0; cell < cells; ++cell)
-    if (counts[cell] > 0) mean[cell] *= 1.0 / counts[cell];
+    mean[cell] = counts[cell] < std::max(fewest, 1) ? Vec2{} : mean[cell] * (1.0 / counts[cell]);
   return mean;
 }
 
