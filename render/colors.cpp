@@ -84,6 +84,7 @@ Palette paletteOn(Rgba ground) {
           .ink = white,
           .grid = {80, 80, 80},
           .tracer = white,
+          .sampling = {70, 115, 160},
           .gas = {120, 200, 255},
           .wall = {190, 190, 190},
           .distributor = {90, 90, 90},

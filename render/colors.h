@@ -34,8 +34,9 @@ struct Palette {
   Rgba ink = bedmix::ink;     // text, scale bar
   Rgba grid{208, 208, 208};   // of axes
   Rgba tracer = tracerColor;  // species 1
-  Rgba gas = gasColor;        // arrows and streamlines of the gas
-  Rgba wall = wallColor;      // also the edge of light lines
+  Rgba sampling = samplingColor;
+  Rgba gas = gasColor;    // arrows and streamlines of the gas
+  Rgba wall = wallColor;  // also the edge of light lines
   Rgba distributor = distributorColor;
   double lowest = 0.0, highest = 0.92;  // the part of cividis that discs are seen in
 };

@@ -47,13 +47,13 @@ void forCells(const SamplingGrid& grid, const Camera& camera, const Use& use) {
 
 }  // namespace
 
-void addHatching(DrawList& list, const Box& box, float em) {
+void addHatching(DrawList& list, const Box& box, float em, Rgba color) {
   const float spacing = 0.5f * em, width = std::max(1.0f, 0.05f * em);
   // Lines x + y = c, in the picture's own raster so that they go on from cell to cell.
   for (float c = spacing * std::ceil((box.left + box.top) / spacing); c < box.right + box.bottom;
        c += spacing) {
     const float left = std::max(box.left, c - box.bottom), right = std::min(box.right, c - box.top);
-    list.lines.push_back({{left, c - left}, {right, c - right}, width, 0.0f, samplingColor});
+    list.lines.push_back({{left, c - left}, {right, c - right}, width, 0.0f, color});
   }
 }
 
@@ -63,18 +63,18 @@ void drawSampling(DrawList& list, const BedView& view) {
   const float width = std::max(1.0f, 0.08f * view.em);
   for (int c = 0; c <= grid.columns; ++c) {
     const double x = grid.width * c / grid.columns;
-    list.lines.push_back(
-        {camera.toPixel(Vec2{x, 0.0}), camera.toPixel(Vec2{x, grid.height}), width, 0.0f, samplingColor});
+    list.lines.push_back({camera.toPixel(Vec2{x, 0.0}), camera.toPixel(Vec2{x, grid.height}), width, 0.0f,
+                          view.palette.sampling});
   }
   for (int r = 0; r <= grid.rows; ++r) {
     const double y = grid.height * r / grid.rows;
-    list.lines.push_back(
-        {camera.toPixel(Vec2{0.0, y}), camera.toPixel(Vec2{grid.width, y}), width, 0.0f, samplingColor});
+    list.lines.push_back({camera.toPixel(Vec2{0.0, y}), camera.toPixel(Vec2{grid.width, y}), width, 0.0f,
+                          view.palette.sampling});
   }
   if (std::min(cellWidth(grid, camera), cellHeight(grid, camera)) < view.em) return;
   const CellCounts counts = countCells(view.frame, grid);
   forCells(grid, camera, [&](const Box& box, std::size_t cell) {
-    if (counts.all[cell] < grid.minParticles) addHatching(list, box, view.em);
+    if (counts.all[cell] < grid.minParticles) addHatching(list, box, view.em, view.palette.sampling);
   });
 }
 

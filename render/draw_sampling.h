@@ -16,7 +16,7 @@ void drawSampling(DrawList& list, const BedView& view);
 void drawCounts(DrawList& list, const BedView& view);
 
 /// Appends hatching of a part of the picture, px.
-void addHatching(DrawList& list, const Box& box, float em);
+void addHatching(DrawList& list, const Box& box, float em, Rgba color);
 
 /// Whether the cells have room for the layer counts; if not, how large the picture must be.
 std::vector<Diagnostic> countsProblems(const Scene& scene, const Camera& camera, float em);

@@ -45,13 +45,14 @@ class Column {
   /// A line of the picture, with the rim that it has there.
   void line(std::string text_, float width, Rgba color, Rgba rim) {
     const std::size_t first = list_.lines.size();
-    list_.lines.push_back({middle(0.2f), middle(longestSign), width, 0.0f, color});
+    list_.lines.push_back({middle(0.4f), middle(1.2f), width, 0.0f, color});
     addRims(list_, first, 0.06f * em_, rim);
     text(std::move(text_), signWidth);
   }
   void hatching(std::string line) {
     const Vec2f corner = middle(0.1f);
-    addHatching(list_, {corner.x, corner.y - 0.4f * em_, corner.x + 1.5f * em_, corner.y + 0.4f * em_}, em_);
+    addHatching(list_, {corner.x, corner.y - 0.4f * em_, corner.x + 1.4f * em_, corner.y + 0.4f * em_}, em_,
+                palette_.sampling);
     text(std::move(line), signWidth);
   }
   /// A title and, in the next row, `colorOf(0 to 1)` in steps between what its ends mean.

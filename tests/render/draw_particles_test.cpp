@@ -54,7 +54,7 @@ TEST(ParticleColors, OfVoidageAreThoseOfTheCell) {
   const Scene scene = test::flatBed();
   Frame frame = test::movingFrame(scene);
   const GasFrame gas = frame.gas;
-  frame = test::particlesAt({{0.0119f, 0.0001f}}, {{0.0121f, 0.5f}});  // the second above the gas grid
+  frame = test::particlesAt({{0.0119f, 0.0001f}}, {{0.0121f, 0.43f}});  // the second above the gas grid
   frame.gas = gas;
   frame.gas.voidage.front() = 0.55f;
   frame.gas.voidage[26 * 8 + 1] = 0.7f;

@@ -77,16 +77,16 @@ void expectGolden(const std::string& name, const Scene& scene, const Style& styl
   expectGolden(name, scene, style, {test::movingFrame(scene)});
 }
 
-/// The moving frame and what came before it, so fast that particles leave their neighbours.
-std::vector<Frame> turningFrames(const Scene& scene) {
+/// The moving frame's particles on their way through the bed, for a tenth of a second.
+std::vector<Frame> stirredFrames(const Scene& scene) {
   std::vector<Frame> frames;
   for (int i = 0; i <= 20; ++i) {
     Frame& frame = frames.emplace_back(test::movingFrame(scene, 0.4 + 0.005 * i));
-    for (std::size_t n = 0; n < frame.size(); ++n) {
-      const Vec2f from{frame.position[n].x - 0.048f, frame.position[n].y - 0.1f};
-      const float angle = -5.0f * static_cast<float>(frame.time - 0.4);
-      frame.position[n] = {0.048f + from.x * std::cos(angle) - 0.4f * from.y * std::sin(angle),
-                           0.1f + 2.5f * from.x * std::sin(angle) + from.y * std::cos(angle)};
+    const float share = static_cast<float>(i) / 20.0f;
+    for (Vec2f& p : frame.position) {
+      const float x = p.x, y = p.y;
+      p.x += share * 20.0f * x * (0.096f - x) * std::sin(40.0f * y);
+      p.y += share * 0.04f * (1.0f + std::sin(65.0f * x)) * y / 0.2f;
     }
   }
   return frames;
@@ -96,9 +96,9 @@ std::vector<Frame> turningFrames(const Scene& scene) {
 Frame pressedFrame(const Scene& scene) {
   Frame frame = test::movingFrame(scene);
   for (Vec2f& p : frame.position) {
-    p = p * 0.796f;
-    p.x += 2e-5f * std::sin(900.0f * p.y) * std::sin(500.0f * p.x);
-    p.y += 2e-5f * std::sin(300.0f * p.x);
+    p = p * 0.7999f;
+    p.x += 8e-6f * std::sin(900.0f * p.y) * std::sin(500.0f * p.x);
+    p.y += 8e-6f * std::sin(300.0f * p.x);
   }
   return frame;
 }
@@ -141,7 +141,7 @@ TEST(Golden, Trails) {
   style.layers.add(Layer::trails);
   style.trails = {300, 505, 700, 910};
   style.trailTime = 0.1;
-  expectGolden("trails", test::flatBed(), style, turningFrames(test::flatBed()));
+  expectGolden("trails", test::flatBed(), style, stirredFrames(test::flatBed()));
 }
 
 TEST(Golden, Forces) {
@@ -177,12 +177,12 @@ TEST(Golden, ColorId) { expectGolden("color_id", test::flatBed(), colored(Partic
 
 TEST(Golden, ColorHeight) {
   expectGolden("color_height", test::flatBed(), colored(ParticleColor::height, 5),
-               turningFrames(test::flatBed()));
+               stirredFrames(test::flatBed()));
 }
 
 TEST(Golden, ColorStrips) {
   expectGolden("color_strips", test::flatBed(), colored(ParticleColor::strips),
-               turningFrames(test::flatBed()));
+               stirredFrames(test::flatBed()));
 }
 
 TEST(Golden, DarkGround) {
