@@ -22,6 +22,9 @@ struct FilmOptions {
   double to = std::numeric_limits<double>::infinity();  // s
 };
 
+/// How many pictures a film has whose frames reach from `from` to `to`.
+std::int64_t picturesOf(const FilmOptions& options);
+
 /// Films a stream of frames, of one run or of several side by side: at film time n/fps it shows the last
 /// frame of each at or before from + n speed/fps, the first where there is none yet. Draws in the caller's
 /// thread, and only what is shown; encodes in a thread of its own behind a short queue. Memory does not grow
@@ -44,6 +47,8 @@ class FilmSink final : public FrameSink {
   Result<Done> finish();
   /// Pictures in the film so far.
   std::int64_t pictures() const;
+  /// Whether something has failed, which finish() reports.
+  bool failed() const;
 
  private:
   struct State;
