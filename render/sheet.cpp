@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "render/sheet.h"
 
+#include "render/draw_bed.h"
 #include "render/draw_walls.h"
 #include "render/hud.h"
 #include "render/hud_rows.h"
+#include "render/layers.h"
 #include "render/layout.h"
+#include "render/legend.h"
 #include "render/surface.h"
 
 #include <fmt/format.h>
@@ -78,15 +81,16 @@ struct Page {
   Size size;
 };
 
-/// Rows of the legend; none where a caption says it as well.
-int legendRows(const Scene& scene, Layers layers) {
-  const Layers said = layers.has(Layer::particles) ? Layers{Layer::particles} : Layers{};
-  const int rows = hudRowCount(scene, layers).legend;
-  return rows > hudRowCount(scene, said).legend ? rows : 0;
+/// Rows of the legend; none where a caption says as well what is tracer.
+int rowsOfLegend(const Style& style) {
+  const Layers said = style.layers.has(Layer::particles) ? Layers{Layer::particles} : Layers{};
+  const int rows = legendRows(style);
+  return style.color != ParticleColor::tracer || rows > legendRows(said) ? rows : 0;
 }
 
-Page arrange(std::span<const SheetRun> runs, Layers layers, const Hud& hud) {
+Page arrange(std::span<const SheetRun> runs, const Style& style, const Hud& hud) {
   Page page;
+  page.legendRows = rowsOfLegend(style);
   page.scale = std::numeric_limits<float>::max();
   for (const SheetRun& run : runs) {
     const Grid& grid = page.runs.emplace_back(run.frames.size());
@@ -97,7 +101,7 @@ Page arrange(std::span<const SheetRun> runs, Layers layers, const Hud& hud) {
   for (std::size_t i = 0; i < runs.size(); ++i) {
     const Scene& scene = *runs[i].scene;
     Grid& grid = page.runs[i];
-    const float below = layers.has(Layer::walls) ? inletArrowHeight(scene, em) : 0.0f;
+    const float below = style.layers.has(Layer::walls) ? inletArrowHeight(scene, em) : 0.0f;
     grid.bed = {page.scale * static_cast<float>(scene.bed.width),
                 page.scale * static_cast<float>(shownHeight(runs[i]))};
     grid.columnStep = grid.bed.x + gap * em;
@@ -109,7 +113,6 @@ Page arrange(std::span<const SheetRun> runs, Layers layers, const Hud& hud) {
     top += static_cast<float>(grid.rows) * grid.rowStep;
     panels = std::max(panels, static_cast<float>(grid.columns) * grid.bed.x + grid.gaps());
     width = std::max({width, panels, std::min(hud.width(runs[i].title), inner)});
-    page.legendRows = std::max(page.legendRows, legendRows(scene, layers));
   }
   float bottom = top + scaleBarBand * em;
   if (page.legendRows > 0) {
@@ -142,9 +145,9 @@ std::vector<Diagnostic> problemsOf(std::span<const SheetRun> runs, const Style& 
   std::vector<Diagnostic> problems;
   for (const SheetRun& run : runs) {
     if (run.frames.empty()) problems.push_back({{}, "a sheet needs at least one time"});
-    for (Diagnostic& d : missingFor(*run.scene, style.layers)) problems.push_back(std::move(d));
+    for (Diagnostic& d : missingFor(*run.scene, style)) problems.push_back(std::move(d));
     for (const FramePtr& frame : run.frames)
-      if (problems.empty()) problems = missingFor(*run.scene, *frame, style.layers);
+      if (problems.empty()) problems = missingFor(*run.scene, *frame, style);
     if (!problems.empty()) break;
   }
   return problems;
@@ -188,7 +191,7 @@ Result<Image> drawSheet(std::span<const SheetRun> runs, const Style& style) {
   Hud hud(em);
   std::vector<Diagnostic> problems = problemsOf(runs, style);
   if (!problems.empty()) return problems;
-  const Page page = arrange(runs, style.layers, hud);
+  const Page page = arrange(runs, style, hud);
   problems = sizeProblems(page.size);
   if (!problems.empty()) return problems;
   Result<Surface> surface = Surface::create(0);
@@ -202,29 +205,31 @@ Result<Image> drawSheet(std::span<const SheetRun> runs, const Style& style) {
 
   Image sheet;
   sheet.resize(page.size);
-  surface->begin(sheet, white);
+  surface->begin(sheet, style.ground);
   DrawList all;  // what does not belong to one panel
   all.clip = {0.0f, 0.0f, static_cast<float>(page.size.width), static_cast<float>(page.size.height)};
+  const Rgba color = paletteOn(style.ground).ink;
   DrawList panel;
   for (std::size_t r = 0; r < runs.size(); ++r) {
     const Grid& grid = page.runs[r];
     for (std::size_t i = 0; i < runs[r].frames.size(); ++i) {
       panel.clear();
       panel.clip = grid.box(i);
-      drawBed(panel, *runs[r].scene, *runs[r].frames[i], {grid.corner(i), page.scale}, style, em);
+      drawBed(panel, *runs[r].scene, *runs[r].frames[i], {grid.corner(i), page.scale}, style, em,
+              runs[r].histories.empty() ? History() : runs[r].histories[i]);
       surface->draw(panel);
       all.texts.insert(all.texts.end(), panel.texts.begin(), panel.texts.end());
       all.texts.push_back({{0.5f * (panel.clip.left + panel.clip.right), panel.clip.top - 0.25f * em},
                            {0.5f, 1.0f},
-                           ink,
+                           color,
                            timeLabel(runs[r].frames[i]->time, decimals)});
     }
     if (!runs[r].title.empty())
-      all.texts.push_back({{grid.first.x, grid.top}, {0.0f, 0.0f}, ink, fitting(runs[r].title, hud)});
+      all.texts.push_back({{grid.first.x, grid.top}, {0.0f, 0.0f}, color, fitting(runs[r].title, hud)});
   }
   const Camera camera{page.runs.front().first, page.scale};
-  drawScaleBar(all, *runs.front().scene, camera, {camera.origin.x, all.clip.bottom - 0.6f * em}, em);
-  if (page.legendRows > 0) drawLegend(all, *runs.front().scene, style.layers, camera, page.legend, em);
+  drawScaleBar(all, *runs.front().scene, camera, {camera.origin.x, all.clip.bottom - 0.6f * em}, em, color);
+  if (page.legendRows > 0) drawLegend(all, page.legend, *runs.front().scene, style, camera, em);
   surface->draw(all);
   surface->draw(hud.mesh(page.size, all.texts));
   surface->end();

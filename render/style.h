@@ -1,17 +1,21 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "render/layers.h"
+#include "engine/core/scene.h"
+
+#include <initializer_list>
 
 namespace bedmix {
 
 /// How a bed is drawn.
-struct Style {
-  Layers layers = defaultLayers;
-
+struct Style : PictureSettings {
   Style() = default;
-  Style(Layers shown) : layers(shown) {}  // NOLINT: layers in their usual style
-  Style(std::initializer_list<Layer> shown) : layers(shown) {}
+  Style(PictureSettings settings) : PictureSettings(std::move(settings)) {}  // NOLINT: they are one
+  Style(Layers shown) { layers = shown; }  // NOLINT: layers in their usual style
+  Style(std::initializer_list<Layer> shown) { layers = shown; }
 };
+
+/// The scene's own style, or the usual one.
+inline Style styleOf(const Scene& scene) { return scene.pictures ? Style(*scene.pictures) : Style(); }
 
 }  // namespace bedmix

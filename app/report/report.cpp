@@ -94,7 +94,7 @@ class Report {
 
   Result<Done> snapshots() {
     page_.heading("Snapshots");
-    return beds(runs_, {}, sheetStyle, folder_ / "sheet.png", title(),
+    return beds(runs_, {}, sheetLayers, folder_ / "sheet.png", title(),
                 "The bed at the times above the panels: tracer black, the rest green; arrows below: gas.");
   }
 
@@ -137,12 +137,14 @@ class Report {
 
   Result<Done> velocities() {
     page_.heading("Velocities");
-    return moments({Layer::velocity, Layer::walls}, "velocity.png", "Velocities of the particles");
+    return moments({Layer::sampling, Layer::flow, Layer::walls}, "velocity.png",
+                   "Mean velocity of the particles in each sampling cell");
   }
   Result<Done> cells() {
     page_.heading("Sampling");
-    return moments({Layer::particles, Layer::sampling, Layer::walls}, "sampling.png",
-                   "The cells in which tracer is counted");
+    return moments(
+        {Layer::particles, Layer::sampling, Layer::counts, Layer::walls}, "sampling.png",
+        "The cells in which tracer is counted, with the particles and the tracer fraction of those in use");
   }
 
   /// Each run at the moment of velocities and cells, or at its end.

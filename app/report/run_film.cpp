@@ -2,8 +2,8 @@
 #include "app/report/run_film.h"
 
 #include "app/progress.h"
-#include "render/draw_list.h"
 #include "render/film_sink.h"
+#include "render/scales.h"
 
 #include <algorithm>
 #include <tuple>

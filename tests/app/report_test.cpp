@@ -61,6 +61,21 @@ std::vector<std::string> tagsOf(const Page& page, const std::string& name) {
   return found;
 }
 
+/// Bytes of a data URI.
+std::string decoded(const std::string& uri) {
+  const std::string digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  std::string bytes;
+  unsigned group = 0;
+  int bits = 0;
+  for (std::size_t i = uri.find(',') + 1; i < uri.size() && uri[i] != '='; ++i) {
+    group = (group << 6 | static_cast<unsigned>(digits.find(uri[i]))) & 0xFFFFu;
+    if ((bits += 6) < 8) continue;
+    bits -= 8;
+    bytes += static_cast<char>(group >> bits & 0xFFu);
+  }
+  return bytes;
+}
+
 std::set<std::string> filesIn(const fs::path& folder) {
   std::set<std::string> names;
   for (const auto& entry : fs::directory_iterator(folder)) names.insert(entry.path().filename().string());
@@ -95,6 +110,8 @@ TEST_F(PipelineReport, IsOnePageWithEverythingInside) {
   EXPECT_EQ(pictures.size(), 6u);
   ASSERT_EQ(films.size(), 1u);
   EXPECT_TRUE(attribute(films[0], "src").starts_with("data:video/mp4;base64,"));
+  EXPECT_TRUE(decoded(attribute(films[0], "src")) == readFile(folder / "out/film.mp4"));
+  EXPECT_TRUE(decoded(attribute(pictures[0], "src")) == readFile(folder / "out/sheet.png"));
   for (const std::string& picture : pictures) {
     EXPECT_TRUE(attribute(picture, "src").starts_with("data:image/png;base64,iVBORw0KGgo"));
     EXPECT_GT(attribute(picture, "alt").size(), 10u);

@@ -24,7 +24,7 @@ FramePtr uniform(bool black, double time) {
 }
 
 /// A sheet of one run.
-Result<Image> sheetOf(const Scene& scene, std::vector<FramePtr> frames, const Style& style = sheetStyle) {
+Result<Image> sheetOf(const Scene& scene, std::vector<FramePtr> frames, const Style& style = sheetLayers) {
   return drawSheet(std::vector<SheetRun>{{&scene, std::move(frames), {}}}, style);
 }
 
@@ -149,6 +149,22 @@ TEST(Sheet, ExplainsWhatItsCaptionCannot) {
       sheetOf(test::flatBed(), frames, {Layer::particles, Layer::velocity, Layer::walls})->size;
   EXPECT_EQ(arrows.width, plain.width);
   EXPECT_GT(arrows.height, plain.height + 50);
+}
+
+TEST(Sheet, ColoursByStartAreThoseOfTheHistory) {
+  const Scene scene = test::flatBed();
+  Style style{Layer::particles};
+  style.color = ParticleColor::strips;
+  const FramePtr start = share(test::particlesAt({{0.01f, 0.01f}, {0.09f, 0.01f}}, {}));
+  const FramePtr swapped = share(test::particlesAt({{0.09f, 0.01f}, {0.01f, 0.01f}}, {}, 1.0));
+  History history(scene, style);
+  history.observe(*start);
+  const auto sheet = [&](const FramePtr& frame) {
+    return *drawSheet(std::vector<SheetRun>{{&scene, {frame}, {}, {history}}}, style);
+  };
+  EXPECT_NE(sheet(start).rgba, sheet(swapped).rgba);
+  EXPECT_GT(sheet(start).size.width,
+            2 * sheetOf(scene, {start}, {Layer::particles})->size.width - 100);  // legend
 }
 
 TEST(FramesAt, TakesTheLastFrameAtOrBeforeEachTime) {
