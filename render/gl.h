@@ -11,6 +11,8 @@ namespace bedmix {
 #define BEDMIX_GL_FUNCTIONS(X)                        \
   X(ATTACHSHADER, AttachShader)                       \
   X(BINDBUFFER, BindBuffer)                           \
+  X(BINDFRAMEBUFFER, BindFramebuffer)                 \
+  X(BINDRENDERBUFFER, BindRenderbuffer)               \
   X(BINDTEXTURE, BindTexture)                         \
   X(BINDVERTEXARRAY, BindVertexArray)                 \
   X(BLENDFUNCSEPARATE, BlendFuncSeparate)             \
@@ -28,8 +30,10 @@ namespace bedmix {
   X(DRAWELEMENTSBASEVERTEX, DrawElementsBaseVertex)   \
   X(ENABLE, Enable)                                   \
   X(ENABLEVERTEXATTRIBARRAY, EnableVertexAttribArray) \
-  X(FINISH, Finish)                                   \
+  X(FRAMEBUFFERRENDERBUFFER, FramebufferRenderbuffer) \
   X(GENBUFFERS, GenBuffers)                           \
+  X(GENFRAMEBUFFERS, GenFramebuffers)                 \
+  X(GENRENDERBUFFERS, GenRenderbuffers)               \
   X(GENTEXTURES, GenTextures)                         \
   X(GENVERTEXARRAYS, GenVertexArrays)                 \
   X(GETPROGRAMIV, GetProgramiv)                       \
@@ -37,6 +41,8 @@ namespace bedmix {
   X(GETUNIFORMLOCATION, GetUniformLocation)           \
   X(LINKPROGRAM, LinkProgram)                         \
   X(PIXELSTOREI, PixelStorei)                         \
+  X(READPIXELS, ReadPixels)                           \
+  X(RENDERBUFFERSTORAGE, RenderbufferStorage)         \
   X(SCISSOR, Scissor)                                 \
   X(SHADERSOURCE, ShaderSource)                       \
   X(TEXIMAGE2D, TexImage2D)                           \

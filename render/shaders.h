@@ -8,10 +8,11 @@ namespace bedmix::shaders {
 
 inline constexpr const char* version = "#version 330 core\n";
 
-/// px to clip space; `size` is the picture's.
+/// px to clip space; `size` is the picture's. OpenGL's lowest row is the picture's top one, which comes first
+/// when it is read back.
 inline constexpr const char* toClip = R"(
 uniform vec2 size;
-vec4 toClip(vec2 px) { return vec4(2.0 * px.x / size.x - 1.0, 1.0 - 2.0 * px.y / size.y, 0.0, 1.0); }
+vec4 toClip(vec2 px) { return vec4(2.0 * px / size - 1.0, 0.0, 1.0); }
 )";
 
 inline constexpr const char* triangleVertex = R"(

@@ -49,6 +49,8 @@ struct Surface::State {
   Pipeline triangles, discs, lines, ui;
   Buffer uiIndices;
   GLuint glyphs = 0;
+  GLuint canvas = 0, pixels = 0;  // what is drawn into, and its memory
+  Size canvasSize;
   Image* image = nullptr;
   std::vector<TriangleVertex> corners;
 
@@ -56,6 +58,7 @@ struct Surface::State {
   Pipeline makePipeline(const char* vertex, const char* fragment, std::size_t stride, bool instanced,
                         std::initializer_list<Attribute> attributes);
   bool makePipelines();
+  void makeCanvas(Size size);
   void fill(Buffer& buffer, GLenum target, const void* data, std::size_t bytes);
   void clip(const Box& box);
   /// Binds the pipeline with `items` in its buffer; false when there is nothing to draw.
@@ -125,6 +128,16 @@ bool Surface::State::makePipelines() {
   return true;
 }
 
+/// Pictures have one size, as a rule.
+void Surface::State::makeCanvas(Size size) {
+  gl.BindFramebuffer(GL_FRAMEBUFFER, canvas);
+  if (size == canvasSize) return;
+  gl.BindRenderbuffer(GL_RENDERBUFFER, pixels);
+  gl.RenderbufferStorage(GL_RENDERBUFFER, GL_RGBA8, size.width, size.height);
+  gl.FramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, pixels);
+  canvasSize = size;
+}
+
 void Surface::State::fill(Buffer& buffer, GLenum target, const void* data, std::size_t bytes) {
   gl.BindBuffer(target, buffer.name);
   if (bytes > buffer.capacity) {
@@ -137,7 +150,7 @@ void Surface::State::fill(Buffer& buffer, GLenum target, const void* data, std::
 void Surface::State::clip(const Box& box) {
   const int left = static_cast<int>(std::floor(box.left)), right = static_cast<int>(std::ceil(box.right));
   const int top = static_cast<int>(std::floor(box.top)), bottom = static_cast<int>(std::ceil(box.bottom));
-  gl.Scissor(left, image->size.height - bottom, std::max(0, right - left), std::max(0, bottom - top));
+  gl.Scissor(left, top, std::max(0, right - left), std::max(0, bottom - top));
 }
 
 template <class T>
@@ -160,23 +173,21 @@ Result<Surface> Surface::create(int threads) {
   if (!context) return context.problems;
   auto state = std::make_unique<State>();
   state->context = std::move(*context);
-  Image scratch;
-  scratch.resize({smallestSide, smallestSide});
-  if (!state->context->makeCurrent(scratch) || !state->gl.load(*state->context) || !state->makePipelines())
+  if (!state->context->makeCurrent() || !state->gl.load(*state->context) || !state->makePipelines())
     return Diagnostic{
         {}, "this OpenGL cannot run bedmix's shaders; Mesa's llvmpipe can", Trouble::unavailable};
   state->gl.Enable(GL_BLEND);
   state->gl.BlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
   state->gl.Enable(GL_SCISSOR_TEST);
   state->gl.GenTextures(1, &state->glyphs);
+  state->gl.GenFramebuffers(1, &state->canvas);
+  state->gl.GenRenderbuffers(1, &state->pixels);
   state->context->release();
   return Surface(std::move(state));
 }
 
 void Surface::setGlyphs(const GlyphSheet& sheet) {
-  Image scratch;
-  scratch.resize({smallestSide, smallestSide});
-  state_->context->makeCurrent(scratch);
+  state_->context->makeCurrent();
   const Gl& gl = state_->gl;
   gl.BindTexture(GL_TEXTURE_2D, state_->glyphs);
   gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
@@ -189,7 +200,8 @@ void Surface::setGlyphs(const GlyphSheet& sheet) {
 
 void Surface::begin(Image& image, Rgba ground) {
   state_->image = &image;
-  state_->context->makeCurrent(image);
+  state_->context->makeCurrent();
+  state_->makeCanvas(image.size);
   const Gl& gl = state_->gl;
   gl.Viewport(0, 0, image.size.width, image.size.height);
   gl.Scissor(0, 0, image.size.width, image.size.height);
@@ -225,14 +237,14 @@ void Surface::draw(const UiMesh& mesh) {
 }
 
 void Surface::end() {
-  state_->gl.Finish();
-  state_->context->release();  // else a later switch of contexts might write to the image once more
+  Image& image = *state_->image;
+  state_->gl.ReadPixels(0, 0, image.size.width, image.size.height, GL_RGBA, GL_UNSIGNED_BYTE,
+                        image.rgba.data());
+  state_->context->release();  // the next picture may be another thread's
 }
 
 std::string Surface::description() const {
-  Image scratch;
-  scratch.resize({smallestSide, smallestSide});
-  state_->context->makeCurrent(scratch);
+  state_->context->makeCurrent();
   const auto text = [&](GLenum name) { return reinterpret_cast<const char*>(state_->gl.GetString(name)); };
   std::string description = fmt::format("{}, OpenGL {}", text(GL_RENDERER), text(GL_VERSION));
   state_->context->release();
