@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "app/commands.h"
 #include "app/frame_selection.h"
+#include "app/gl_option.h"
 #include "app/picture_options.h"
 #include "app/png_text.h"
 #include "app/progress.h"
@@ -148,6 +149,7 @@ void addRenderCommand(CLI::App& program, CommandContext context) {
   command->add_option("--time", options->time, "Simulated second of the one picture; the last by default")
       ->type_name("T");
   addPictureOptions(*command, options->picture);
+  addGlOption(*command);
   command->add_option("--fps", options->fps, "Pictures per second of film")
       ->check(CLI::Range(1.0, 240.0))
       ->capture_default_str();

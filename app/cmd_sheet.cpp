@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "app/commands.h"
+#include "app/gl_option.h"
 #include "app/png_text.h"
 #include "render/sheet.h"
 #include "replay/trajectory_reader.h"
@@ -56,6 +57,7 @@ void addSheetCommand(CLI::App& program, CommandContext context) {
       ->type_name("T,T,...")
       ->delimiter(',')
       ->allow_extra_args(false);
+  addGlOption(*command);
   command->footer("Example:\n  bedmix sheet out/even -o sheet.png --times 0,0.5,1,2,3,4,5,6,7");
   command->callback([options, context] { context.outcome = sheet(*options, context.console); });
 }

@@ -15,7 +15,7 @@ namespace bedmix {
   X(BINDRENDERBUFFER, BindRenderbuffer)               \
   X(BINDTEXTURE, BindTexture)                         \
   X(BINDVERTEXARRAY, BindVertexArray)                 \
-  X(BLENDFUNCSEPARATE, BlendFuncSeparate)             \
+  X(BLENDFUNC, BlendFunc)                             \
   X(BUFFERDATA, BufferData)                           \
   X(BUFFERSUBDATA, BufferSubData)                     \
   X(CLEAR, Clear)                                     \
@@ -36,6 +36,7 @@ namespace bedmix {
   X(GENRENDERBUFFERS, GenRenderbuffers)               \
   X(GENTEXTURES, GenTextures)                         \
   X(GENVERTEXARRAYS, GenVertexArrays)                 \
+  X(GETFLOATV, GetFloatv)                             \
   X(GETPROGRAMIV, GetProgramiv)                       \
   X(GETSTRING, GetString)                             \
   X(GETUNIFORMLOCATION, GetUniformLocation)           \

@@ -38,9 +38,11 @@ void setOnce(const char* variable, const std::string& value) { setenv(variable, 
 
 }  // namespace
 
+GlSource glSource() { return sourceInUse(); }
+
 void useGlSource(GlSource source) { sourceInUse() = source; }
 
-Result<std::unique_ptr<GlContext>> createGlContext(int threads) {
+Result<std::unique_ptr<GlContext>> createGlContext(int threads, GlSource source) {
   static std::once_flag once;
   std::call_once(once, [threads] {
     // llvmpipe reads this once, and would else take every core from the solver.
@@ -48,7 +50,6 @@ Result<std::unique_ptr<GlContext>> createGlContext(int threads) {
     // EGL would else draw with a graphics card where there is one, and give other bytes on each machine.
     setOnce("LIBGL_ALWAYS_SOFTWARE", "1");
   });
-  const GlSource source = sourceInUse();
   if (source == GlSource::egl) return createEglContext();
   Result<std::unique_ptr<GlContext>> context = createOsmesaContext();
   if (context || source == GlSource::osmesa) return context;

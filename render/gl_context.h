@@ -5,6 +5,7 @@
 
 #include <array>
 #include <memory>
+#include <string>
 #include <string_view>
 
 namespace bedmix {
@@ -16,6 +17,7 @@ class GlContext {
   using Function = void (*)();
 
   virtual ~GlContext() = default;
+  virtual std::string name() const = 0;
   /// From now on this thread's OpenGL is this one.
   virtual bool makeCurrent() = 0;
   /// This thread has none any more; another one may take it.
@@ -24,18 +26,19 @@ class GlContext {
 };
 
 /// Where contexts come from: Mesa's own off-screen library, or EGL without a surface. `automatic` is OSMesa,
-/// and EGL where that is not there: Mesa 25.1 is the first without it.
+/// and EGL where that is not there: Mesa 25.1 is the first without it. Pictures are the same.
 enum class GlSource { automatic, osmesa, egl };
 /// The names users know them by, in the order of GlSource.
 inline constexpr std::array<std::string_view, 3> glSourceNames{"auto", "osmesa", "egl"};
 
-/// From the next context on, for all threads.
+/// In use: automatic unless told otherwise, for all threads.
+GlSource glSource();
 void useGlSource(GlSource source);
 
-/// A context of the source in use. `threads` of Mesa's llvmpipe (0: as many as cores) counts for the first
+/// `threads` of Mesa's llvmpipe (0: as many as cores) counts for the first
 /// context of the program; LP_NUM_THREADS in the environment wins over it. Fails as `unavailable`, saying of
 /// each source tried what is missing.
-Result<std::unique_ptr<GlContext>> createGlContext(int threads);
+Result<std::unique_ptr<GlContext>> createGlContext(int threads, GlSource source);
 
 // The two sources. Their libraries are opened when first asked for, so that the program starts without them.
 Result<std::unique_ptr<GlContext>> createOsmesaContext();

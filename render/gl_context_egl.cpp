@@ -63,6 +63,7 @@ class EglContext final : public GlContext {
   EglContext(const EglContext&) = delete;
   EglContext& operator=(const EglContext&) = delete;
 
+  std::string name() const override { return "EGL"; }
   bool makeCurrent() override { return makeCurrent(handle_); }
   void release() override { makeCurrent(EGL_NO_CONTEXT); }
   Function function(const char* name) const override { return egl_.getProcAddress(name); }

@@ -38,6 +38,7 @@ class OsmesaContext final : public GlContext {
   OsmesaContext(const OsmesaContext&) = delete;
   OsmesaContext& operator=(const OsmesaContext&) = delete;
 
+  std::string name() const override { return "OSMesa"; }
   bool makeCurrent() override {
     return osmesa_.makeCurrent(handle_, window_.data(), GL_UNSIGNED_BYTE, side, side);
   }
