@@ -13,7 +13,7 @@
 namespace bedmix {
 
 struct PngOptions {
-  bool small = false;  // a figure: best compression; else quick, for frames
+  bool small = false;  // a figure: better compression; else quick, for frames
   std::vector<std::pair<std::string, std::string>> text;  // tEXt: keyword (at most 79 characters) and value
   std::optional<double> dpi;                              // pHYs
 };

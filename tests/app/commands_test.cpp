@@ -5,6 +5,8 @@
 
 #include <algorithm>
 
+namespace fs = std::filesystem;
+
 namespace bedmix {
 namespace {
 
