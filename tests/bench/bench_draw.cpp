@@ -52,8 +52,7 @@ std::vector<Frame> framesOf(const Scene& scene, std::size_t count) {
   return frames;
 }
 
-void drawFrames(benchmark::State& state, Size size) {
-  const Scene scene = bedOf(state.range(0));
+void drawFrames(benchmark::State& state, const Scene& scene, Size size) {
   const std::vector<Frame> frames = framesOf(scene, 8);
   Painter painter = must(Painter::create(scene, {size, {}, 0}));
   Image image;
@@ -62,8 +61,19 @@ void drawFrames(benchmark::State& state, Size size) {
   state.SetItemsProcessed(state.iterations());
 }
 
-void drawing(benchmark::State& state) { drawFrames(state, state.range(0) == 1000 ? small : large); }
+void drawing(benchmark::State& state) {
+  drawFrames(state, bedOf(state.range(0)), state.range(0) == 1000 ? small : large);
+}
 BENCHMARK(drawing)->Arg(1000)->Arg(100000)->UseRealTime()->Unit(benchmark::kMillisecond);
+
+/// A thousand discs as large as the picture has room for.
+void drawingWide(benchmark::State& state) {
+  Scene scene = test::gaslessBed();
+  scene.bed.width = 0.24;
+  scene.bed.height = 0.13;
+  drawFrames(state, scene, small);
+}
+BENCHMARK(drawingWide)->UseRealTime()->Unit(benchmark::kMillisecond);
 
 /// What of it is no OpenGL: the list of shapes and the mesh of the texts.
 void listing(benchmark::State& state) {
