@@ -4,7 +4,7 @@
 #include "app/version.h"
 #include "engine/core/simd.h"
 #include "render/gnuplot.h"
-#include "render/movie.h"
+#include "render/mp4_film.h"
 #include "render/surface.h"
 #include "replay/trajectory_writer.h"
 

@@ -2,17 +2,15 @@
 #include "app/commands.h"
 #include "app/frame_selection.h"
 #include "app/gl_option.h"
+#include "app/interrupt.h"
 #include "app/picture_options.h"
-#include "app/png_text.h"
-#include "app/progress.h"
-#include "render/film_sink.h"
-#include "render/sheet.h"
-#include "replay/trajectory_reader.h"
+#include "app/render_job.h"
+#include "render/film_kind.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/core.h>
 
-#include <functional>
+#include <filesystem>
 #include <memory>
 #include <optional>
 
@@ -22,114 +20,66 @@ namespace bedmix {
 
 namespace {
 
+constexpr double defaultRate = 50.0;  // pictures a second
+
 struct RenderOptions {
   std::string run;
   std::string output;
   std::optional<double> time;  // s
-  double fps = 50.0, speed = 1.0;
+  std::optional<double> fps, speed;
   FrameSelection frames;
   PictureOptions picture;
+  bool force = false;
 };
 
-/// Hands on the selected frames of a run, saying how far it has come; the first trouble ends it.
-Result<Done> forFrames(TrajectoryReader& reader, const std::vector<std::size_t>& selected,
-                       const Console& console, const std::function<Result<Done>(const Frame&)>& use) {
-  Progress progress(console, reader.times()[selected.back()]);
-  for (const std::size_t index : selected) {
-    const auto frame = reader.frame(index);
-    if (!frame) return frame.problems;
-    auto used = use(**frame);
-    if (!used) return used;
-    progress.accept(**frame);
-  }
-  return Done{};
+enum class Output { film, picture, folder };
+
+/// By the ending of its name.
+Result<Output> outputOf(const std::string& name) {
+  const fs::path path = name;
+  if (filmKindOf(path)) return Output::film;
+  if (path.extension() == ".png") return Output::picture;
+  if (path.extension().empty()) return Output::folder;
+  return Diagnostic{{"--output"},
+                    fmt::format("\"{}\" is no kind of picture; give a .mp4, .gif or .mkv film, a .png "
+                                "picture or a folder for single frames",
+                                name)};
 }
 
-ExitCode renderFilm(const RenderOptions& options, TrajectoryReader& reader,
-                    const std::vector<std::size_t>& selected, const PaintOptions& paint,
-                    const Console& console) {
-  FilmOptions film{paint, options.fps, options.speed, reader.times()[selected.front()],
-                   reader.times()[selected.back()]};
-  auto sink = FilmSink::create(reader.scene(), options.output, film);
-  if (!sink) return console.fail(sink.problems);
-  const auto shown = forFrames(reader, selected, console, [&](const Frame& frame) -> Result<Done> {
-    sink->accept(frame);
-    return Done{};
-  });
-  if (!shown) return console.fail(shown.problems);
-  const auto finished = sink->finish();
-  if (!finished) return console.fail(finished.problems);
-  console.say(fmt::format("{}: {} pictures at {:g} a second", options.output, sink->pictures(), options.fps));
-  return ExitCode::done;
-}
-
-ExitCode renderFolder(const RenderOptions& options, TrajectoryReader& reader,
-                      const std::vector<std::size_t>& selected, const PaintOptions& paint,
-                      const Console& console) {
-  auto painter = Painter::create(reader.scene(), paint);
-  if (!painter) return console.fail(painter.problems);
-  std::error_code error;
-  fs::create_directories(options.output, error);
-  if (error)
-    return console.fail(options.output, "cannot make this folder: " + error.message(), Trouble::file);
-  Image image;
-  int n = 0;
-  const auto drawn = forFrames(reader, selected, console, [&](const Frame& frame) -> Result<Done> {
-    auto painted = painter->paint(frame, image);
-    if (!painted) return painted;
-    const fs::path file = fs::path(options.output) / fmt::format("frame_{:06}.png", n++);
-    return writePng(file, image, {.text = pngText(reader.scene(), frame), .dpi = {}});
-  });
-  if (!drawn) return console.fail(drawn.problems);
-  console.say(fmt::format("{}: {} pictures", options.output, n));
-  return ExitCode::done;
-}
-
-ExitCode renderPicture(const RenderOptions& options, TrajectoryReader& reader, const PaintOptions& paint,
-                       const Console& console) {
-  FramesAt wanted({options.time.value_or(reader.times().back())});
-  FrameSink* const sinks[]{&wanted};
-  drain(reader, sinks);
-  if (reader.failure()) return console.fail(*reader.failure());
-  auto frames = wanted.frames();
-  if (!frames) {
-    for (Diagnostic& d : frames.problems) d.at.file = "--time";
-    return console.fail(frames.problems);
-  }
-  auto painter = Painter::create(reader.scene(), paint);
-  if (!painter) return console.fail(painter.problems);
-  Image image;
-  const Frame& frame = *frames->front();
-  const auto painted = painter->paint(frame, image);
-  if (!painted) return console.fail(painted.problems);
-  const auto written =
-      writePng(options.output, image, {.small = true, .text = pngText(reader.scene(), frame), .dpi = {}});
-  if (!written) return console.fail(written.problems);
-  console.say(fmt::format("{}: the bed at {:g} s, {} x {} pixels", options.output, frame.time,
-                          image.size.width, image.size.height));
-  return ExitCode::done;
+/// Options that say nothing of this kind of output.
+std::vector<Diagnostic> misplaced(const RenderOptions& options, Output output) {
+  std::vector<Diagnostic> problems;
+  if (options.time && output != Output::picture)
+    problems.push_back(
+        {{"--time"}, "goes with one picture, -o FILE.png; a film and a folder take --from and --to"});
+  if ((options.fps || options.speed) && output != Output::film)
+    problems.push_back(
+        {{"--fps, --speed"}, "go with a film; a folder has each frame once, or with --every N each N-th"});
+  if (options.frames != FrameSelection{} && output == Output::picture)
+    problems.push_back({{"--from, --to, --every"}, "go with a film or a folder; one picture takes --time"});
+  if (options.force && output != Output::folder)
+    problems.push_back(
+        {{"--force"},
+         "goes with a folder; a file of this name is replaced anyway, once the new one is complete"});
+  return problems;
 }
 
 ExitCode render(const RenderOptions& options, const Console& console) {
-  const std::string ending = fs::path(options.output).extension().string();
-  const bool isFolder = ending.empty();
-  if (!isFolder && ending != ".mp4" && ending != ".png")
-    return console.fail("--output",
-                        fmt::format("\"{}\" is no kind of picture; give a .mp4 film, a .png picture or "
-                                    "a folder for single frames",
-                                    options.output));
-  if (options.time && ending != ".png")
-    return console.fail("--time",
-                        "goes with one picture, -o FILE.png; a film and a folder take --from and --to");
+  const auto output = outputOf(options.output);
+  if (!output) return console.fail(output.problems);
+  if (const auto problems = misplaced(options, *output); !problems.empty()) return console.fail(problems);
   auto reader = TrajectoryReader::open(options.run);
   if (!reader) return console.fail(reader.problems);
   const auto paint = paintOptions(options.picture, reader->scene());
   if (!paint) return console.fail(paint.problems);
-  if (ending == ".png") return renderPicture(options, *reader, *paint, console);
   const auto selected = selectFrames(reader->times(), options.frames);
   if (!selected) return console.fail(selected.problems);
-  return isFolder ? renderFolder(options, *reader, *selected, *paint, console)
-                  : renderFilm(options, *reader, *selected, *paint, console);
+  const RenderJob job{*reader, options.output, *selected, *paint, console};
+  if (*output == Output::picture) return renderPicture(job, options.time);
+  catchInterrupts();
+  return *output == Output::folder
+             ? renderFolder(job, options.force)
+             : renderFilm(job, options.fps.value_or(defaultRate), options.speed.value_or(1.0));
 }
 
 }  // namespace
@@ -143,23 +93,26 @@ void addRenderCommand(CLI::App& program, CommandContext context) {
       ->type_name("RUN");
   command
       ->add_option("-o,--output", options->output,
-                   "FILE.mp4 for a film, FILE.png for one picture, a folder for single frames")
+                   "FILE.mp4, .gif or .mkv (lossless) for a film, FILE.png for one picture, a folder for "
+                   "single frames")
       ->required()
       ->type_name("X");
   command->add_option("--time", options->time, "Simulated second of the one picture; the last by default")
       ->type_name("T");
   addPictureOptions(*command, options->picture);
   addGlOption(*command);
-  command->add_option("--fps", options->fps, "Pictures per second of film")
-      ->check(CLI::Range(1.0, 240.0))
-      ->capture_default_str();
-  command->add_option("--speed", options->speed, "Simulated seconds per second of film")
-      ->check(CLI::Range(1e-6, 1e6))
-      ->capture_default_str();
+  command
+      ->add_option("--fps", options->fps,
+                   fmt::format("Pictures per second of film, {:g} by default", defaultRate))
+      ->check(CLI::Range(1.0, 240.0));
+  command->add_option("--speed", options->speed, "Simulated seconds per second of film, 1 by default")
+      ->check(CLI::Range(1e-6, 1e6));
   addFrameSelection(*command, options->frames);
+  command->add_flag("--force", options->force, "Replace the frames of another rendering in the folder");
   command->footer(
       "Examples:\n"
       "  bedmix render out/even -o even.mp4 --speed 0.5\n"
+      "  bedmix render out/even -o even.gif --size 320x560 --fps 20 --to 2\n"
       "  bedmix render out/even -o even-1s.png --time 1 --layers particles,velocity,sampling,walls,hud");
   command->callback([options, context] { context.outcome = render(*options, context.console); });
 }

@@ -18,6 +18,7 @@ struct FrameSelection {
   double from = 0.0;                                    // s
   double to = std::numeric_limits<double>::infinity();  // s
   int every = 1;                                        // of those between
+  friend bool operator==(const FrameSelection&, const FrameSelection&) = default;
 };
 void addFrameSelection(CLI::App& command, FrameSelection& selection);
 

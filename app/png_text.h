@@ -8,19 +8,15 @@
 
 #include <fmt/core.h>
 
-#include <string>
-#include <utility>
-#include <vector>
-
 namespace bedmix {
 
 /// Where a picture comes from, for its tEXt: no clock, so the same picture gives the same bytes.
-inline std::vector<std::pair<std::string, std::string>> pngText(const Scene& scene) {
+inline PngText pngText(const Scene& scene) {
   return {{"Title", scene.title},
           {"Software", fmt::format("bedmix {} ({})", programVersion, programCommit)},
           {"Source", fmt::format("scene {}, seed {}", scene.name, scene.seed)}};
 }
-inline std::vector<std::pair<std::string, std::string>> pngText(const Scene& scene, const Frame& frame) {
+inline PngText pngText(const Scene& scene, const Frame& frame) {
   auto text = pngText(scene);
   text.emplace_back("Description", fmt::format("step {}, {} s", frame.step, frame.time));
   return text;

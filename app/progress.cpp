@@ -58,4 +58,14 @@ void Progress::accept(const Frame& frame) {
   line_.show(part, text);
 }
 
+void PictureProgress::show(std::int64_t made, std::int64_t kept) {
+  const double wall = std::chrono::duration<double>(Clock::now() - start_).count();
+  const double pace = wall > 0.0 ? static_cast<double>(made - kept) / wall : 0.0;
+  std::string text = fmt::format("{} of {} pictures", made, total_);
+  if (pace > 0.0)
+    text += fmt::format(", {:.3g} pictures/s, {} left", pace,
+                        clockText(static_cast<double>(total_ - made) / pace));
+  line_.show(static_cast<double>(made) / static_cast<double>(total_), text);
+}
+
 }  // namespace bedmix

@@ -5,6 +5,7 @@
 #include "engine/core/frame.h"
 
 #include <chrono>
+#include <cstdint>
 #include <string>
 
 namespace bedmix {
@@ -43,6 +44,22 @@ class Progress final : public FrameSink {
   double end_;
   Clock::time_point start_;
   double firstTime_ = -1.0;
+};
+
+/// Says how many of `total` pictures are made, how many a second, and the time left.
+class PictureProgress {
+ public:
+  PictureProgress(const Console& console, std::int64_t total) : line_(console), total_(total) {}
+
+  /// `kept` of the pictures made were there before, and say nothing of the pace.
+  void show(std::int64_t made, std::int64_t kept = 0);
+
+ private:
+  using Clock = std::chrono::steady_clock;
+
+  ProgressLine line_;
+  std::int64_t total_;
+  Clock::time_point start_ = Clock::now();
 };
 
 /// "0:42", "12:05", "3:07:00".

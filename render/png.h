@@ -12,10 +12,13 @@
 
 namespace bedmix {
 
+/// tEXt: keywords (at most 79 characters) and values.
+using PngText = std::vector<std::pair<std::string, std::string>>;
+
 struct PngOptions {
   bool small = false;  // a figure: better compression; else quick, for frames
-  std::vector<std::pair<std::string, std::string>> text;  // tEXt: keyword (at most 79 characters) and value
-  std::optional<double> dpi;                              // pHYs
+  PngText text;
+  std::optional<double> dpi;  // pHYs
 };
 
 /// Writes 8-bit RGB; alpha is left out. Goes to `path`.part first and gets its name when all of it is on

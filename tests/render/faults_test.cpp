@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "render/film_sink.h"
 #include "render/gnuplot.h"
-#include "render/movie.h"
+#include "render/mp4_film.h"
 #include "render/plot.h"
 #include "render/png.h"
 #include "render/sheet.h"
@@ -107,7 +107,7 @@ TEST(RenderFaults, FullDiskUnderAFilm) {
 
 TEST(RenderFaults, FullDiskWhenTheFilmIsFinished) {
   const test::TempFolder folder;
-  Result<Movie> movie = Movie::create(folder / "a.mp4", {64, 64}, 50.0);
+  Result<Mp4Film> movie = Mp4Film::create(folder / "a.mp4", {64, 64}, 50.0);
   ASSERT_TRUE(movie);
   for (int i = 0; i < 60; ++i) ASSERT_TRUE(movie->add(blank({64, 64})));
   std::filesystem::create_symlink("/dev/full", folder / "a.mp4.whole.part");

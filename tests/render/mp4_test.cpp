@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "render/movie.h"
+#include "render/mp4_film.h"
 
 #include "render/colors.h"
 #include "tests/render/decode.h"
@@ -27,7 +27,7 @@ Image picture(Size size, int number) {
 }
 
 void film(const std::filesystem::path& path, Size size, double fps, int frames) {
-  Result<Movie> movie = Movie::create(path, size, fps);
+  Result<Mp4Film> movie = Mp4Film::create(path, size, fps);
   ASSERT_TRUE(movie) << movie.problems[0].message;
   for (int i = 0; i < frames; ++i) ASSERT_TRUE(movie->add(picture(size, i)));
   ASSERT_TRUE(movie->finish());
@@ -39,7 +39,7 @@ void expectNear(Rgba actual, Rgba expected) {
   EXPECT_NEAR(actual.b, expected.b, 3);
 }
 
-TEST(Movie, IsWhatWasPutIn) {
+TEST(Mp4, IsWhatWasPutIn) {
   const test::TempFolder folder;
   film(folder / "a.mp4", {128, 64}, 25.0, 60);
   const test::DecodedMovie movie = test::decode(folder / "a.mp4");
@@ -57,7 +57,7 @@ TEST(Movie, IsWhatWasPutIn) {
   }
 }
 
-TEST(Movie, OfAnOddSizeLosesNothing) {
+TEST(Mp4, OfAnOddSizeLosesNothing) {
   const test::TempFolder folder;
   film(folder / "a.mp4", {65, 33}, 50.0, 3);
   const test::DecodedMovie movie = test::decode(folder / "a.mp4");
@@ -67,7 +67,7 @@ TEST(Movie, OfAnOddSizeLosesNothing) {
   expectNear(movie.frames[1].at(65, 1), white);
 }
 
-TEST(Movie, StartsWithItsIndex) {
+TEST(Mp4, StartsWithItsIndex) {
   const test::TempFolder folder;
   film(folder / "a.mp4", {64, 64}, 50.0, 10);
   const std::string bytes = test::bytesOf(folder / "a.mp4");
@@ -75,33 +75,33 @@ TEST(Movie, StartsWithItsIndex) {
   EXPECT_EQ(bytes.find("moof"), std::string::npos);
 }
 
-TEST(Movie, IsTheSameBytesTwice) {
+TEST(Mp4, IsTheSameBytesTwice) {
   const test::TempFolder folder;
   film(folder / "a.mp4", {128, 64}, 29.97, 40);
   film(folder / "b.mp4", {128, 64}, 29.97, 40);
   EXPECT_EQ(test::bytesOf(folder / "a.mp4"), test::bytesOf(folder / "b.mp4"));
 }
 
-TEST(Movie, LeavesOnlyItself) {
+TEST(Mp4, LeavesOnlyItself) {
   const test::TempFolder folder;
   film(folder / "a.mp4", {64, 64}, 50.0, 10);
   std::filesystem::remove(folder / "a.mp4");
   EXPECT_TRUE(folder.empty());
 }
 
-TEST(Movie, UnfinishedLeavesNothing) {
+TEST(Mp4, UnfinishedLeavesNothing) {
   const test::TempFolder folder;
   {
-    Result<Movie> movie = Movie::create(folder / "a.mp4", {64, 64}, 50.0);
+    Result<Mp4Film> movie = Mp4Film::create(folder / "a.mp4", {64, 64}, 50.0);
     ASSERT_TRUE(movie);
     for (int i = 0; i < 120; ++i) ASSERT_TRUE(movie->add(picture({64, 64}, i)));
   }
   EXPECT_TRUE(folder.empty());
 }
 
-TEST(Movie, OfAKilledProgramPlaysUpToItsLastFragment) {
+TEST(Mp4, OfAKilledProgramPlaysUpToItsLastFragment) {
   const test::TempFolder folder;
-  Result<Movie> movie = Movie::create(folder / "a.mp4", {64, 64}, 10.0);
+  Result<Mp4Film> movie = Mp4Film::create(folder / "a.mp4", {64, 64}, 10.0);
   ASSERT_TRUE(movie);
   for (int i = 0; i < 100; ++i) ASSERT_TRUE(movie->add(picture({64, 64}, i)));
   // What a kill now would leave: a fragment a second, the encoder's queue and the open fragment lost.

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
-#include "render/movie_remux.h"
+#include "render/mp4_remux.h"
 
+#include "render/av_film.h"
 #include "render/part_file.h"
 
 extern "C" {
 #include <libavformat/avformat.h>
 }
 
-#include <array>
 #include <memory>
 
 namespace bedmix {
@@ -63,7 +63,7 @@ int copyPackets(AVFormatContext& input, AVFormatContext& output) {
 
 }  // namespace
 
-Result<Done> remuxMovie(const std::filesystem::path& fragmented, const std::filesystem::path& target) {
+Result<Done> remuxMp4(const std::filesystem::path& fragmented, const std::filesystem::path& target) {
   PartFile part(target, ".whole.part");
   AVFormatContext* opened = nullptr;
   if (const int error = avformat_open_input(&opened, fragmented.c_str(), nullptr, nullptr); error < 0)
@@ -78,12 +78,6 @@ Result<Done> remuxMovie(const std::filesystem::path& fragmented, const std::file
   if (error >= 0) error = avio_closep(&output->pb);
   if (error < 0) return part.failure(libavError(error));
   return part.keep();
-}
-
-std::string libavError(int error) {
-  std::array<char, AV_ERROR_MAX_STRING_SIZE> text{};
-  av_strerror(error, text.data(), text.size());
-  return text.data();
 }
 
 }  // namespace bedmix
