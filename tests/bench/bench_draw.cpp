@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Pictures, sheets and films of beds made by hand; LP_NUM_THREADS sets the rasterizer's threads.
+// Pictures, sheets and films of beds made by hand; LP_NUM_THREADS sets the rasterizer's threads, 0 for none
+// of its own.
 //   bench_draw [--benchmark_filter=REGEX ...]
 //   bench_draw --write FOLDER    the frames themselves, rows `x y vx vy species`, for another program to draw
 #include "render/draw_list.h"
@@ -64,7 +65,8 @@ void drawFrames(benchmark::State& state, const Scene& scene, Size size) {
 void drawing(benchmark::State& state) {
   drawFrames(state, bedOf(state.range(0)), state.range(0) == 1000 ? small : large);
 }
-BENCHMARK(drawing)->Arg(1000)->Arg(100000)->UseRealTime()->Unit(benchmark::kMillisecond);
+BENCHMARK(drawing)->Arg(1000)->Arg(100000)->MeasureProcessCPUTime()->UseRealTime()->Unit(
+    benchmark::kMillisecond);
 
 /// A thousand discs as large as the picture has room for.
 void drawingWide(benchmark::State& state) {
@@ -73,7 +75,7 @@ void drawingWide(benchmark::State& state) {
   scene.bed.height = 0.13;
   drawFrames(state, scene, small);
 }
-BENCHMARK(drawingWide)->UseRealTime()->Unit(benchmark::kMillisecond);
+BENCHMARK(drawingWide)->MeasureProcessCPUTime()->UseRealTime()->Unit(benchmark::kMillisecond);
 
 /// What of it is no OpenGL: the list of shapes and the mesh of the texts.
 void listing(benchmark::State& state) {
@@ -95,7 +97,8 @@ void listing(benchmark::State& state) {
   }
   state.SetItemsProcessed(state.iterations());
 }
-BENCHMARK(listing)->Arg(1000)->Arg(100000)->UseRealTime()->Unit(benchmark::kMillisecond);
+BENCHMARK(listing)->Arg(1000)->Arg(100000)->MeasureProcessCPUTime()->UseRealTime()->Unit(
+    benchmark::kMillisecond);
 
 /// A painter and its first picture.
 void firstPicture(benchmark::State& state) {
@@ -107,7 +110,7 @@ void firstPicture(benchmark::State& state) {
     must(painter.paint(frame, image));
   }
 }
-BENCHMARK(firstPicture)->UseRealTime()->Unit(benchmark::kMillisecond);
+BENCHMARK(firstPicture)->MeasureProcessCPUTime()->UseRealTime()->Unit(benchmark::kMillisecond);
 
 /// Nine panels, drawn and written.
 void sheet(benchmark::State& state) {
@@ -119,7 +122,7 @@ void sheet(benchmark::State& state) {
     must(writePng(path, must(drawSheet(scene, frames)), {.small = true, .text = {}, .dpi = sheetDpi}));
   std::filesystem::remove(path);
 }
-BENCHMARK(sheet)->UseRealTime()->Unit(benchmark::kMillisecond);
+BENCHMARK(sheet)->MeasureProcessCPUTime()->UseRealTime()->Unit(benchmark::kMillisecond);
 
 /// Ten seconds of the paper's bed at 60 pictures a second.
 void film(benchmark::State& state) {
@@ -134,7 +137,7 @@ void film(benchmark::State& state) {
   }
   std::filesystem::remove(path);
 }
-BENCHMARK(film)->UseRealTime()->Iterations(1)->Unit(benchmark::kSecond);
+BENCHMARK(film)->MeasureProcessCPUTime()->UseRealTime()->Iterations(1)->Unit(benchmark::kSecond);
 
 void writeFrames(const std::filesystem::path& folder) {
   for (const std::int64_t particles : {1000, 100000}) {

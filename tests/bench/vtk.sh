@@ -23,7 +23,7 @@ trap 'rm -rf "$scratch"' EXIT
 
 run_ours() { # PARTICLES
   "$ours" --benchmark_filter="^drawing/$1/" --benchmark_min_time="$seconds" --benchmark_format=csv 2>/dev/null |
-    awk -F, '/^"drawing/ { print $3 }'
+    awk -F, '/^"drawing/ { print $3, $4 }'
 }
 
 run_vtk() { # PARTICLES WIDTH HEIGHT MODE
@@ -51,16 +51,20 @@ awk 'function median(values, count,   i, j, swap) {
     key = $1 " | " $2 " | " $3 " | " $4
     if (!(key in rows)) order[++kinds] = key
     k = ++rows[key]
-    ours[key, k] = 1e3 / $5
-    peer[key, k] = 1e3 / $6
+    wall[key, k] = 1e3 / $5
+    cpu[key, k] = 1e3 / $6
+    peerWall[key, k] = 1e3 / $7
+    peerCpu[key, k] = 1e3 / $8
   }
   END {
-    print "| threads | discs | px | VTK draws | bedmix, pictures/s | VTK | ratio | lowest to highest ratio |"
-    print "| --- | --- | --- | --- | --- | --- | --- | --- |"
+    print "| threads | discs | px | VTK draws | bedmix, pictures/s | VTK | ratio | bedmix, pictures per CPU s | VTK | ratio | lowest to highest |"
+    print "| --- | --- | --- | --- | --- | --- | --- | --- | --- | --- | --- |"
     for (i = 1; i <= kinds; i++) {
       key = order[i]; n = rows[key]
-      for (k = 1; k <= n; k++) { a[k] = ours[key, k]; b[k] = peer[key, k]; ratio[k] = a[k] / b[k] }
+      for (k = 1; k <= n; k++) { a[k] = wall[key, k]; b[k] = peerWall[key, k]; ratio[k] = a[k] / b[k] }
+      printf "| %s | %.0f | %.3g | %.1f |", key, median(a, n), median(b, n), median(ratio, n)
+      for (k = 1; k <= n; k++) { a[k] = cpu[key, k]; b[k] = peerCpu[key, k]; ratio[k] = a[k] / b[k] }
       middle = median(ratio, n)
-      printf "| %s | %.0f | %.3g | %.1f | %.1f to %.1f |\n", key, median(a, n), median(b, n), middle, ratio[1], ratio[n]
+      printf " %.0f | %.3g | %.1f | %.1f to %.1f |\n", median(a, n), median(b, n), middle, ratio[1], ratio[n]
     }
   }' "$scratch/rows"

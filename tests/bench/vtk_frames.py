@@ -1,6 +1,6 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: MIT
-"""Draws frames with VTK, off-screen, and prints the milliseconds a picture takes; called by vtk.sh.
+"""Draws frames with VTK, off-screen, and prints the milliseconds of wall and of CPU time a picture takes; called by vtk.sh.
 
 vtk_frames.py FOLDER PARTICLES WIDTH HEIGHT gaussian|sphere SECONDS [PICTURE.png]
 FOLDER holds what `bench_draw --write` wrote. Every picture is read back; five lines of text change with each.
@@ -89,11 +89,12 @@ def draw(k):
 
 
 draw(0)
-start, k = time.perf_counter(), 0
+start, start_cpu, k = time.perf_counter(), time.process_time(), 0
 while k == 0 or time.perf_counter() - start < seconds:
     k += 1
     draw(k)
-print(f"{1e3 * (time.perf_counter() - start) / k:.3f}")
+wall, cpu = time.perf_counter() - start, time.process_time() - start_cpu
+print(f"{1e3 * wall / k:.3f} {1e3 * cpu / k:.3f}")
 if len(sys.argv) > 7:
     writer = vtk.vtkPNGWriter()
     writer.SetInputConnection(reader.GetOutputPort())
