@@ -18,6 +18,7 @@ namespace bedmix {
   X(BLENDFUNC, BlendFunc)                             \
   X(BUFFERDATA, BufferData)                           \
   X(BUFFERSUBDATA, BufferSubData)                     \
+  X(CHECKFRAMEBUFFERSTATUS, CheckFramebufferStatus)   \
   X(CLEAR, Clear)                                     \
   X(CLEARCOLOR, ClearColor)                           \
   X(COMPILESHADER, CompileShader)                     \

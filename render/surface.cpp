@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <initializer_list>
+#include <new>
 #include <span>
 
 namespace bedmix {
@@ -139,6 +140,7 @@ void Surface::State::makeCanvas(Size size) {
   gl.BindRenderbuffer(GL_RENDERBUFFER, pixels);
   gl.RenderbufferStorage(GL_RENDERBUFFER, GL_RGBA8, size.width, size.height);
   gl.FramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, pixels);
+  if (gl.CheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE) throw std::bad_alloc();
   canvasSize = size;
 }
 

@@ -25,7 +25,8 @@ class Surface {
   void setGlyphs(const GlyphSheet& glyphs);
 
   /// A picture: begin, any number of draws one over the other, end. `image` has its size and must stay where
-  /// it is until end(). The texts of a draw list are not drawn here but by the HUD.
+  /// it is until end(). The texts of a draw list are not drawn here but by the HUD. begin throws
+  /// std::bad_alloc where OpenGL has no memory for the size.
   void begin(Image& image, Rgba ground);
   void draw(const DrawList& list);
   void draw(const UiMesh& mesh);
