@@ -82,9 +82,11 @@ void main() {
   vec2 along = len > 0.0 ? (to - from) / len : vec2(1.0, 0.0);
   vec2 beside = vec2(-along.y, along.x);
   float halfWidth = 0.5 * widthAndHead.x;
-  float reach = max(halfWidth, 0.45 * widthAndHead.y) + 1.0;
+  // Beyond these nothing is covered: see the fragment shader.
+  float shaftReach = halfWidth + 0.55, headReach = widthAndHead.y > 0.0 ? 0.4 * widthAndHead.y + 0.8 : 0.0;
+  float reach = max(shaftReach, headReach), tip = max(shaftReach, headReach > 0.0 ? 1.4 : 0.0);
   vec2 corner = vec2(gl_VertexID & 1, gl_VertexID >> 1);
-  place = vec2(mix(-halfWidth - 1.0, len + halfWidth + 1.0, corner.x), mix(-reach, reach, corner.y));
+  place = vec2(mix(-shaftReach, len + tip, corner.x), mix(-reach, reach, corner.y));
   shape = vec3(len, halfWidth, widthAndHead.y);
   fill = timesAlpha(color);
   gl_Position = toClip(from + along * place.x + beside * place.y);
