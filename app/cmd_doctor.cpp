@@ -5,7 +5,7 @@
 #include "engine/core/simd.h"
 #include "render/gnuplot.h"
 #include "render/mp4_film.h"
-#include "render/painter.h"
+#include "render/surface.h"
 #include "replay/trajectory_writer.h"
 
 #include <CLI/CLI.hpp>
@@ -22,6 +22,7 @@ struct Check {
   const char* part;
   Result<std::string> finding;
   const char* cure;
+  bool needed = true;  // false: another part does the same work
 };
 
 Result<std::string> probeScenes() {
@@ -36,7 +37,10 @@ Result<std::string> probeVectors() {
 
 ExitCode doctor(bool json, const Console& console) {
   const Check checks[]{
-      {"pictures", probeSurface(), "apt install libosmesa6 fonts-dejavu-core"},
+      {"pictures", probeSurface(), "make osmesa or egl work, either will do; the next two lines say how"},
+      {"osmesa", probeSurface(GlSource::osmesa),
+       "apt install libosmesa6; where Mesa is 25.1 or newer there is none, and egl draws", false},
+      {"egl", probeSurface(GlSource::egl), "apt install libegl1 libegl-mesa0 libgl1-mesa-dri", false},
       {"films", probeEncoder(), "apt install libavcodec59 libx264-164"},
       {"curves", probePlotter(), "apt install gnuplot-nox"},
       {"recording", hdf5Version(), "apt install libhdf5-103-1"},
@@ -48,13 +52,16 @@ ExitCode doctor(bool json, const Console& console) {
   for (const Check& check : checks) {
     const bool works = static_cast<bool>(check.finding);
     const std::string text = works ? *check.finding : check.finding.problems.front().message;
-    if (!works) outcome = ExitCode::unavailable;
+    if (!works && check.needed) outcome = ExitCode::unavailable;
     if (json)
       table.push_back(
           {{"part", check.part}, {"works", works}, {"finding", text}, {"cure", works ? "" : check.cure}});
     else
-      console.print(fmt::format("{:<4} {:<10} {}{}", works ? "ok" : "FAIL", check.part, text,
-                                works ? "" : fmt::format("\n     cure: {}", check.cure)));
+      console.print(fmt::format("{:<4} {:<10} {}{}",
+                                works          ? "ok"
+                                : check.needed ? "FAIL"
+                                               : "no",
+                                check.part, text, works ? "" : fmt::format("\n     cure: {}", check.cure)));
   }
   if (json) console.print(table.dump(2));
   return outcome;

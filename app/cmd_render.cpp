@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "app/commands.h"
 #include "app/frame_selection.h"
+#include "app/gl_option.h"
 #include "app/interrupt.h"
 #include "app/picture_options.h"
 #include "app/render_job.h"
@@ -115,6 +116,7 @@ void addRenderCommand(CLI::App& program, CommandContext context) {
   command->add_option("--time", options->time, "Simulated second of the one picture; the last by default")
       ->type_name("T");
   addPictureOptions(*command, options->picture);
+  addGlOption(*command);
   command
       ->add_option("--fps", options->fps,
                    fmt::format("Pictures per second of film, {:g} by default", defaultRate))

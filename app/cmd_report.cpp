@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "app/commands.h"
+#include "app/gl_option.h"
 #include "app/report/report.h"
 #include "app/run_folder.h"
 
@@ -39,6 +40,7 @@ void addReportCommand(CLI::App& program, CommandContext context) {
                    "Folder of the figures and of report.html; figures of the same names are replaced")
       ->required()
       ->type_name("DIR");
+  addGlOption(*command);
   command->footer(
       "Examples:\n  bedmix report out/even -o out/even-report\n"
       "  bedmix report out/even out/inclined -o out/both");

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "app/attempts.h"
 #include "app/commands.h"
+#include "app/gl_option.h"
 #include "app/interrupt.h"
 #include "app/run_report.h"
 #include "app/scene_library.h"
@@ -222,6 +223,7 @@ void addRunCommand(CLI::App& program, CommandContext context) {
       ->type_name("PATH=VALUE")
       ->allow_extra_args(false);
   command->add_flag("--video", options->video, "Film the run into video.mp4 on the way");
+  addGlOption(*command);
   CLI::Option* const force = command->add_flag("--force", options->force,
                                                "Replace an earlier run in the folder; other files are kept");
   command

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "app/commands.h"
+#include "app/gl_option.h"
 #include "app/picture_options.h"
 #include "app/recorded_runs.h"
 
@@ -66,6 +67,7 @@ void addSheetCommand(CLI::App& program, CommandContext context) {
       ->delimiter(',')
       ->allow_extra_args(false);
   addStyleOptions(*command, options->picture);
+  addGlOption(*command);
   command->footer(
       "Examples:\n  bedmix sheet out/even -o sheet.png --times 0,0.5,1,2,3,4,5,6,7\n"
       "  bedmix sheet out/even out/inclined -o both.png --times 0.2,0.5,1,2,4");

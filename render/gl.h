@@ -11,11 +11,14 @@ namespace bedmix {
 #define BEDMIX_GL_FUNCTIONS(X)                        \
   X(ATTACHSHADER, AttachShader)                       \
   X(BINDBUFFER, BindBuffer)                           \
+  X(BINDFRAMEBUFFER, BindFramebuffer)                 \
+  X(BINDRENDERBUFFER, BindRenderbuffer)               \
   X(BINDTEXTURE, BindTexture)                         \
   X(BINDVERTEXARRAY, BindVertexArray)                 \
-  X(BLENDFUNCSEPARATE, BlendFuncSeparate)             \
+  X(BLENDFUNC, BlendFunc)                             \
   X(BUFFERDATA, BufferData)                           \
   X(BUFFERSUBDATA, BufferSubData)                     \
+  X(CHECKFRAMEBUFFERSTATUS, CheckFramebufferStatus)   \
   X(CLEAR, Clear)                                     \
   X(CLEARCOLOR, ClearColor)                           \
   X(COMPILESHADER, CompileShader)                     \
@@ -28,15 +31,20 @@ namespace bedmix {
   X(DRAWELEMENTSBASEVERTEX, DrawElementsBaseVertex)   \
   X(ENABLE, Enable)                                   \
   X(ENABLEVERTEXATTRIBARRAY, EnableVertexAttribArray) \
-  X(FINISH, Finish)                                   \
+  X(FRAMEBUFFERRENDERBUFFER, FramebufferRenderbuffer) \
   X(GENBUFFERS, GenBuffers)                           \
+  X(GENFRAMEBUFFERS, GenFramebuffers)                 \
+  X(GENRENDERBUFFERS, GenRenderbuffers)               \
   X(GENTEXTURES, GenTextures)                         \
   X(GENVERTEXARRAYS, GenVertexArrays)                 \
+  X(GETFLOATV, GetFloatv)                             \
   X(GETPROGRAMIV, GetProgramiv)                       \
   X(GETSTRING, GetString)                             \
   X(GETUNIFORMLOCATION, GetUniformLocation)           \
   X(LINKPROGRAM, LinkProgram)                         \
   X(PIXELSTOREI, PixelStorei)                         \
+  X(READPIXELS, ReadPixels)                           \
+  X(RENDERBUFFERSTORAGE, RenderbufferStorage)         \
   X(SCISSOR, Scissor)                                 \
   X(SHADERSOURCE, ShaderSource)                       \
   X(TEXIMAGE2D, TexImage2D)                           \

@@ -183,10 +183,4 @@ Result<Size> parseSize(std::string_view text) {
       {}, fmt::format("'{}' is no picture size; write width x height in pixels, e.g. 1280x720", text)};
 }
 
-Result<std::string> probeSurface() {
-  const Result<Surface> surface = Surface::create(0);
-  if (!surface) return surface.problems;
-  return surface->description();
-}
-
 }  // namespace bedmix

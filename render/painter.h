@@ -65,8 +65,4 @@ inline Size defaultSize(const Scene& scene, const Style& style = {}) {
 /// Reads "1280x720"; each between 16 and 16384, the limits of the rasterizer.
 Result<Size> parseSize(std::string_view text);
 
-/// What pictures are drawn with ("llvmpipe (LLVM 15.0.6, 256 bits), OpenGL 3.3"), or why nothing can be
-/// drawn.
-Result<std::string> probeSurface();
-
 }  // namespace bedmix

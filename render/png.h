@@ -16,7 +16,7 @@ namespace bedmix {
 using PngText = std::vector<std::pair<std::string, std::string>>;
 
 struct PngOptions {
-  bool small = false;  // a figure: best compression; else quick, for frames
+  bool small = false;  // a figure: better compression; else quick, for frames
   PngText text;
   std::optional<double> dpi;  // pHYs
 };

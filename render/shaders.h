@@ -2,16 +2,19 @@
 #pragma once
 
 // GLSL 3.30. Positions are pixels from the top left; edges are smoothed by the part of a pixel that a shape
-// covers, so no multisampling is needed.
+// covers, so no multisampling is needed. Vertex shaders multiply colours by their alpha, fragment shaders all
+// four by what is covered: the blending that costs least.
 
 namespace bedmix::shaders {
 
 inline constexpr const char* version = "#version 330 core\n";
 
-/// px to clip space; `size` is the picture's.
-inline constexpr const char* toClip = R"(
+/// What vertex shaders share. px to clip space; `size` is the picture's. OpenGL's lowest row is the picture's
+/// top one, which comes first when it is read back.
+inline constexpr const char* vertexTools = R"(
 uniform vec2 size;
-vec4 toClip(vec2 px) { return vec4(2.0 * px.x / size.x - 1.0, 1.0 - 2.0 * px.y / size.y, 0.0, 1.0); }
+vec4 toClip(vec2 px) { return vec4(2.0 * px / size - 1.0, 0.0, 1.0); }
+vec4 timesAlpha(vec4 color) { return vec4(color.rgb * color.a, color.a); }
 )";
 
 inline constexpr const char* triangleVertex = R"(
@@ -19,7 +22,7 @@ layout(location = 0) in vec2 at;
 layout(location = 1) in vec4 color;
 flat out vec4 fill;
 void main() {
-  fill = color;
+  fill = timesAlpha(color);
   gl_Position = toClip(at);
 }
 )";
@@ -29,27 +32,40 @@ out vec4 pixel;
 void main() { pixel = fill; }
 )";
 
+/// A disc as a square of two triangles, and as a point. No pixel whose middle is more than half a pixel
+/// outside the disc is covered; 1/32 px more makes up for the rounding of the square's corners.
 inline constexpr const char* discVertex = R"(
 layout(location = 0) in vec2 at;
 layout(location = 1) in float radius;
 layout(location = 2) in vec4 color;
-out vec2 offset;
-flat out float edge;
+flat out vec3 disc;
 flat out vec4 fill;
 void main() {
+  disc = vec3(at, radius + 0.5);
+  fill = timesAlpha(color);
   vec2 corner = vec2(gl_VertexID & 1, gl_VertexID >> 1) * 2.0 - 1.0;
-  offset = corner * (radius + 1.0);
-  edge = radius + 0.5;
-  fill = color;
-  gl_Position = toClip(at + offset);
+  gl_Position = toClip(at + corner * (disc.z + 0.03125));
 }
 )";
+inline constexpr const char* pointVertex = R"(
+layout(location = 0) in vec2 at;
+layout(location = 1) in float radius;
+layout(location = 2) in vec4 color;
+flat out vec3 disc;
+flat out vec4 fill;
+void main() {
+  disc = vec3(at, radius + 0.5);
+  fill = timesAlpha(color);
+  gl_PointSize = 2.0 * (disc.z + 0.03125);
+  gl_Position = toClip(at);
+}
+)";
+/// Both; the middle of the pixel is in the coordinates of the picture.
 inline constexpr const char* discFragment = R"(
-in vec2 offset;
-flat in float edge;
+flat in vec3 disc;
 flat in vec4 fill;
 out vec4 pixel;
-void main() { pixel = vec4(fill.rgb, fill.a * clamp(edge - length(offset), 0.0, 1.0)); }
+void main() { pixel = fill * clamp(disc.z - distance(gl_FragCoord.xy, disc.xy), 0.0, 1.0); }
 )";
 
 /// `place` is px along the line from its tail, and px beside it.
@@ -66,11 +82,13 @@ void main() {
   vec2 along = len > 0.0 ? (to - from) / len : vec2(1.0, 0.0);
   vec2 beside = vec2(-along.y, along.x);
   float halfWidth = 0.5 * widthAndHead.x;
-  float reach = max(halfWidth, 0.45 * widthAndHead.y) + 1.0;
+  // Beyond these nothing is covered: see the fragment shader.
+  float shaftReach = halfWidth + 0.55, headReach = widthAndHead.y > 0.0 ? 0.4 * widthAndHead.y + 0.8 : 0.0;
+  float reach = max(shaftReach, headReach), tip = max(shaftReach, headReach > 0.0 ? 1.4 : 0.0);
   vec2 corner = vec2(gl_VertexID & 1, gl_VertexID >> 1);
-  place = vec2(mix(-halfWidth - 1.0, len + halfWidth + 1.0, corner.x), mix(-reach, reach, corner.y));
+  place = vec2(mix(-shaftReach, len + tip, corner.x), mix(-reach, reach, corner.y));
   shape = vec3(len, halfWidth, widthAndHead.y);
-  fill = color;
+  fill = timesAlpha(color);
   gl_Position = toClip(from + along * place.x + beside * place.y);
 }
 )";
@@ -89,7 +107,7 @@ void main() {
     float slant = ((len - place.x) * 0.4 - abs(place.y)) * 0.928;
     cover = max(cover, clamp(min(slant, place.x - shaft) + 0.5, 0.0, 1.0));
   }
-  pixel = vec4(fill.rgb, fill.a * cover);
+  pixel = fill * cover;
 }
 )";
 
@@ -102,7 +120,7 @@ out vec2 glyph;
 out vec4 fill;
 void main() {
   glyph = uv;
-  fill = color;
+  fill = timesAlpha(color);
   gl_Position = toClip(at);
 }
 )";
@@ -111,7 +129,7 @@ uniform sampler2D glyphs;
 in vec2 glyph;
 in vec4 fill;
 out vec4 pixel;
-void main() { pixel = vec4(fill.rgb, fill.a * texture(glyphs, glyph).r); }
+void main() { pixel = fill * texture(glyphs, glyph).r; }
 )";
 
 }  // namespace bedmix::shaders

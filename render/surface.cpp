@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <initializer_list>
+#include <new>
 #include <span>
 
 namespace bedmix {
@@ -46,26 +47,32 @@ struct TriangleVertex {
 struct Surface::State {
   std::unique_ptr<GlContext> context;
   Gl gl;
-  Pipeline triangles, discs, lines, ui;
+  Pipeline triangles, points, discs, lines, ui;
   Buffer uiIndices;
   GLuint glyphs = 0;
+  GLuint canvas = 0, pixels = 0;  // what is drawn into, and its memory
+  Size canvasSize;
   Image* image = nullptr;
+  float largestPoint = 0.0f;  // px, side of the largest square OpenGL draws as a point
   std::vector<TriangleVertex> corners;
 
   GLuint compile(GLenum kind, const char* source);
   Pipeline makePipeline(const char* vertex, const char* fragment, std::size_t stride, bool instanced,
                         std::initializer_list<Attribute> attributes);
   bool makePipelines();
+  void makeCanvas(Size size);
   void fill(Buffer& buffer, GLenum target, const void* data, std::size_t bytes);
   void clip(const Box& box);
   /// Binds the pipeline with `items` in its buffer; false when there is nothing to draw.
   template <class T>
   bool use(Pipeline& pipeline, std::span<const T> items);
+  bool isPoint(const Disc& disc) const;
+  void draw(std::span<const Disc> discs);
 };
 
 GLuint Surface::State::compile(GLenum kind, const char* source) {
   const GLuint shader = gl.CreateShader(kind);
-  const char* parts[] = {shaders::version, kind == GL_VERTEX_SHADER ? shaders::toClip : "", source};
+  const char* parts[] = {shaders::version, kind == GL_VERTEX_SHADER ? shaders::vertexTools : "", source};
   gl.ShaderSource(shader, 3, parts, nullptr);
   gl.CompileShader(shader);
   return shader;
@@ -101,10 +108,11 @@ bool Surface::State::makePipelines() {
   triangles = makePipeline(
       shaders::triangleVertex, shaders::triangleFragment, sizeof(TriangleVertex), false,
       {{2, GL_FLOAT, offsetof(TriangleVertex, at)}, {4, GL_UNSIGNED_BYTE, offsetof(TriangleVertex, color)}});
-  discs = makePipeline(shaders::discVertex, shaders::discFragment, sizeof(Disc), true,
-                       {{2, GL_FLOAT, offsetof(Disc, at)},
-                        {1, GL_FLOAT, offsetof(Disc, radius)},
-                        {4, GL_UNSIGNED_BYTE, offsetof(Disc, color)}});
+  const std::initializer_list<Attribute> disc{{2, GL_FLOAT, offsetof(Disc, at)},
+                                              {1, GL_FLOAT, offsetof(Disc, radius)},
+                                              {4, GL_UNSIGNED_BYTE, offsetof(Disc, color)}};
+  points = makePipeline(shaders::pointVertex, shaders::discFragment, sizeof(Disc), false, disc);
+  discs = makePipeline(shaders::discVertex, shaders::discFragment, sizeof(Disc), true, disc);
   static_assert(offsetof(Line, head) == offsetof(Line, width) + sizeof(float));
   lines = makePipeline(shaders::lineVertex, shaders::lineFragment, sizeof(Line), true,
                        {{2, GL_FLOAT, offsetof(Line, from)},
@@ -117,12 +125,23 @@ bool Surface::State::makePipelines() {
                      {4, GL_UNSIGNED_BYTE, offsetof(UiVertex, color)}});
   gl.GenBuffers(1, &uiIndices.name);
   gl.BindBuffer(GL_ELEMENT_ARRAY_BUFFER, uiIndices.name);  // belongs to the ui's layout from here on
-  for (const Pipeline* pipeline : {&triangles, &discs, &lines, &ui}) {
+  for (const Pipeline* pipeline : {&triangles, &points, &discs, &lines, &ui}) {
     GLint linked = 0;
     gl.GetProgramiv(pipeline->program, GL_LINK_STATUS, &linked);
     if (!linked) return false;
   }
   return true;
+}
+
+/// Pictures have one size, as a rule.
+void Surface::State::makeCanvas(Size size) {
+  gl.BindFramebuffer(GL_FRAMEBUFFER, canvas);
+  if (size == canvasSize) return;
+  gl.BindRenderbuffer(GL_RENDERBUFFER, pixels);
+  gl.RenderbufferStorage(GL_RENDERBUFFER, GL_RGBA8, size.width, size.height);
+  gl.FramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, pixels);
+  if (gl.CheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE) throw std::bad_alloc();
+  canvasSize = size;
 }
 
 void Surface::State::fill(Buffer& buffer, GLenum target, const void* data, std::size_t bytes) {
@@ -137,7 +156,7 @@ void Surface::State::fill(Buffer& buffer, GLenum target, const void* data, std::
 void Surface::State::clip(const Box& box) {
   const int left = static_cast<int>(std::floor(box.left)), right = static_cast<int>(std::ceil(box.right));
   const int top = static_cast<int>(std::floor(box.top)), bottom = static_cast<int>(std::ceil(box.bottom));
-  gl.Scissor(left, image->size.height - bottom, std::max(0, right - left), std::max(0, bottom - top));
+  gl.Scissor(left, top, std::max(0, right - left), std::max(0, bottom - top));
 }
 
 template <class T>
@@ -150,33 +169,62 @@ bool Surface::State::use(Pipeline& pipeline, std::span<const T> items) {
   return true;
 }
 
+/// A point costs about half as much as two triangles, but is not drawn at all where its middle is outside the
+/// picture.
+bool Surface::State::isPoint(const Disc& disc) const {
+  constexpr float rounding = 1.0f;  // px, more than that of any OpenGL
+  return 2.0f * (disc.radius + rounding) <= largestPoint && disc.at.x >= rounding && disc.at.y >= rounding &&
+         disc.at.x <= static_cast<float>(image->size.width) - rounding &&
+         disc.at.y <= static_cast<float>(image->size.height) - rounding;
+}
+
+/// One after the other in runs of a kind; nearly always there is one run.
+void Surface::State::draw(std::span<const Disc> all) {
+  while (!all.empty()) {
+    const bool point = isPoint(all.front());
+    const auto other =
+        std::find_if(all.begin(), all.end(), [&](const Disc& d) { return isPoint(d) != point; });
+    const auto run = all.first(static_cast<std::size_t>(other - all.begin()));
+    const auto count = static_cast<GLsizei>(run.size());
+    use(point ? points : discs, run);
+    if (point)
+      gl.DrawArrays(GL_POINTS, 0, count);
+    else
+      gl.DrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, count);
+    all = all.subspan(run.size());
+  }
+}
+
 Surface::Surface(std::unique_ptr<State> state) : state_(std::move(state)) {}
 Surface::~Surface() = default;
 Surface::Surface(Surface&&) noexcept = default;
 Surface& Surface::operator=(Surface&&) noexcept = default;
 
-Result<Surface> Surface::create(int threads) {
-  Result<std::unique_ptr<GlContext>> context = createGlContext(threads);
+Result<Surface> Surface::create(int threads, GlSource source) {
+  Result<std::unique_ptr<GlContext>> context = createGlContext(threads, source);
   if (!context) return context.problems;
   auto state = std::make_unique<State>();
   state->context = std::move(*context);
-  Image scratch;
-  scratch.resize({smallestSide, smallestSide});
-  if (!state->context->makeCurrent(scratch) || !state->gl.load(*state->context) || !state->makePipelines())
+  if (!state->context->makeCurrent() || !state->gl.load(*state->context) || !state->makePipelines())
     return Diagnostic{
         {}, "this OpenGL cannot run bedmix's shaders; Mesa's llvmpipe can", Trouble::unavailable};
-  state->gl.Enable(GL_BLEND);
-  state->gl.BlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
-  state->gl.Enable(GL_SCISSOR_TEST);
-  state->gl.GenTextures(1, &state->glyphs);
+  const Gl& gl = state->gl;
+  gl.Enable(GL_BLEND);
+  gl.BlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+  gl.Enable(GL_SCISSOR_TEST);
+  gl.Enable(GL_PROGRAM_POINT_SIZE);
+  float pointSizes[2]{};
+  gl.GetFloatv(GL_POINT_SIZE_RANGE, pointSizes);
+  state->largestPoint = pointSizes[1];
+  gl.GenTextures(1, &state->glyphs);
+  gl.GenFramebuffers(1, &state->canvas);
+  gl.GenRenderbuffers(1, &state->pixels);
   state->context->release();
   return Surface(std::move(state));
 }
 
 void Surface::setGlyphs(const GlyphSheet& sheet) {
-  Image scratch;
-  scratch.resize({smallestSide, smallestSide});
-  state_->context->makeCurrent(scratch);
+  state_->context->makeCurrent();
   const Gl& gl = state_->gl;
   gl.BindTexture(GL_TEXTURE_2D, state_->glyphs);
   gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
@@ -189,7 +237,8 @@ void Surface::setGlyphs(const GlyphSheet& sheet) {
 
 void Surface::begin(Image& image, Rgba ground) {
   state_->image = &image;
-  state_->context->makeCurrent(image);
+  state_->context->makeCurrent();
+  state_->makeCanvas(image.size);
   const Gl& gl = state_->gl;
   gl.Viewport(0, 0, image.size.width, image.size.height);
   gl.Scissor(0, 0, image.size.width, image.size.height);
@@ -205,8 +254,7 @@ void Surface::draw(const DrawList& list) {
     for (const Vec2f& at : {t.a, t.b, t.c}) s.corners.push_back({at, t.color});
   if (s.use<TriangleVertex>(s.triangles, s.corners))
     s.gl.DrawArrays(GL_TRIANGLES, 0, static_cast<GLsizei>(s.corners.size()));
-  if (s.use<Disc>(s.discs, list.discs))
-    s.gl.DrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, static_cast<GLsizei>(list.discs.size()));
+  s.draw(list.discs);
   if (s.use<Line>(s.lines, list.lines))
     s.gl.DrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, static_cast<GLsizei>(list.lines.size()));
 }
@@ -225,18 +273,25 @@ void Surface::draw(const UiMesh& mesh) {
 }
 
 void Surface::end() {
-  state_->gl.Finish();
-  state_->context->release();  // else a later switch of contexts might write to the image once more
+  Image& image = *state_->image;
+  state_->gl.ReadPixels(0, 0, image.size.width, image.size.height, GL_RGBA, GL_UNSIGNED_BYTE,
+                        image.rgba.data());
+  state_->context->release();  // the next picture may be another thread's
 }
 
 std::string Surface::description() const {
-  Image scratch;
-  scratch.resize({smallestSide, smallestSide});
-  state_->context->makeCurrent(scratch);
+  state_->context->makeCurrent();
   const auto text = [&](GLenum name) { return reinterpret_cast<const char*>(state_->gl.GetString(name)); };
-  std::string description = fmt::format("{}, OpenGL {}", text(GL_RENDERER), text(GL_VERSION));
+  std::string description =
+      fmt::format("{}, {}, OpenGL {}", state_->context->name(), text(GL_RENDERER), text(GL_VERSION));
   state_->context->release();
   return description;
+}
+
+Result<std::string> probeSurface(GlSource source) {
+  const Result<Surface> surface = Surface::create(0, source);
+  if (!surface) return surface.problems;
+  return surface->description();
 }
 
 std::vector<Diagnostic> sizeProblems(Size size) {

@@ -3,6 +3,7 @@
 
 #include "engine/core/diagnostic.h"
 #include "render/draw_list.h"
+#include "render/gl_context.h"
 #include "render/image.h"
 #include "render/ui_mesh.h"
 
@@ -16,7 +17,7 @@ namespace bedmix {
 class Surface {
  public:
   /// `threads`: see createGlContext.
-  static Result<Surface> create(int threads);
+  static Result<Surface> create(int threads, GlSource source = glSource());
   ~Surface();
   Surface(Surface&&) noexcept;
   Surface& operator=(Surface&&) noexcept;
@@ -24,13 +25,14 @@ class Surface {
   void setGlyphs(const GlyphSheet& glyphs);
 
   /// A picture: begin, any number of draws one over the other, end. `image` has its size and must stay where
-  /// it is until end(). The texts of a draw list are not drawn here but by the HUD.
+  /// it is until end(). The texts of a draw list are not drawn here but by the HUD. begin throws
+  /// std::bad_alloc where OpenGL has no memory for the size.
   void begin(Image& image, Rgba ground);
   void draw(const DrawList& list);
   void draw(const UiMesh& mesh);
   void end();
 
-  /// Name and version of the rasterizer.
+  /// Where OpenGL comes from, name and version of the rasterizer.
   std::string description() const;
 
  private:
@@ -38,6 +40,10 @@ class Surface {
   explicit Surface(std::unique_ptr<State> state);
   std::unique_ptr<State> state_;
 };
+
+/// What pictures are drawn with ("OSMesa, llvmpipe (LLVM 15.0.6, 256 bits), OpenGL 3.3"), or why nothing can
+/// be drawn with this source.
+Result<std::string> probeSurface(GlSource source = glSource());
 
 /// Whether the rasterizer can draw this size; if not, why and what it can.
 std::vector<Diagnostic> sizeProblems(Size size);

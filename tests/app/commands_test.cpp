@@ -5,6 +5,8 @@
 
 #include <algorithm>
 
+namespace fs = std::filesystem;
+
 namespace bedmix {
 namespace {
 
@@ -70,6 +72,43 @@ TEST_F(Commands, DoctorFindsWhatTheDemoNeeds) {
   const Outcome o = bedmix({"doctor", "--json"});
   EXPECT_EQ(o.exitCode, 0) << o.out;
   for (const auto& part : nlohmann::json::parse(o.out)) EXPECT_EQ(part["works"], true) << part;
+}
+
+// A library that cannot be opened hides the one of the system.
+TEST_F(Commands, DrawWithWhatIsThere) {
+  ASSERT_EQ(bedmix({"run", "tiny", "-o", "out"}).exitCode, 0);
+  fs::create_directories(folder / "no-osmesa");
+  fs::create_directories(folder / "no-egl");
+  writeFile(folder / "no-osmesa/libOSMesa.so.8", "");
+  writeFile(folder / "no-egl/libEGL.so.1", "");
+  const std::string noOsmesa = "LD_LIBRARY_PATH=no-osmesa \"$BEDMIX\" ",
+                    noEgl = "LD_LIBRARY_PATH=no-egl \"$BEDMIX\" ",
+                    neither = "LD_LIBRARY_PATH=no-osmesa:no-egl \"$BEDMIX\" ";
+
+  ASSERT_EQ(bedmix({"render", "out", "-o", "auto.png"}).exitCode, 0);
+  const Outcome fallback = shell(noOsmesa + "render out -o egl.png");
+  EXPECT_EQ(fallback.exitCode, 0) << fallback.err;
+  EXPECT_EQ(readFile(folder / "egl.png"), readFile(folder / "auto.png"));
+  const Outcome chosen = shell(noEgl + "render out -o osmesa.png --gl osmesa");
+  EXPECT_EQ(chosen.exitCode, 0) << chosen.err;
+  EXPECT_EQ(readFile(folder / "osmesa.png"), readFile(folder / "auto.png"));
+
+  const Outcome missing = shell(noOsmesa + "sheet out -o x.png --gl osmesa");
+  EXPECT_EQ(missing.exitCode, 5);
+  EXPECT_TRUE(contains(missing.err, "OSMesa: "));
+  const Outcome none = shell(neither + "sheet out -o x.png");
+  EXPECT_EQ(none.exitCode, 5);
+  EXPECT_TRUE(contains(none.err, "OSMesa: "));
+  EXPECT_TRUE(contains(none.err, "EGL: "));
+  EXPECT_FALSE(fs::exists(folder / "x.png"));
+
+  const Outcome one = shell(noOsmesa + "doctor");
+  EXPECT_EQ(one.exitCode, 0) << one.out;
+  EXPECT_TRUE(contains(one.out, "apt install libosmesa6"));
+  const Outcome blind = shell(neither + "doctor");
+  EXPECT_EQ(blind.exitCode, 5);
+  EXPECT_TRUE(contains(blind.out, "apt install libegl1"));
+  EXPECT_EQ(bedmix({"render", "out", "-o", "x.png", "--gl", "glx"}).exitCode, 2);
 }
 
 TEST_F(Commands, AccuracyShowsWhatItCostsAndGoesOn) {

@@ -5,6 +5,7 @@
 #include "render/plot.h"
 #include "render/png.h"
 #include "render/sheet.h"
+#include "render/surface.h"
 #include "tests/render/bed.h"
 #include "tests/render/temp_folder.h"
 
