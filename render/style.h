@@ -9,6 +9,12 @@ namespace bedmix {
 
 /// How a bed is drawn.
 struct Style : PictureSettings {
+  /// Whether pictures show what was before their time.
+  bool showsHistory() const {
+    return layers.has(Layer::curve) || layers.has(Layer::trails) ||
+           (layers.has(Layer::particles) && hasClasses(color));
+  }
+
   Style() = default;
   Style(PictureSettings settings) : PictureSettings(std::move(settings)) {}  // NOLINT: they are one
   Style(Layers shown) { layers = shown; }  // NOLINT: layers in their usual style
