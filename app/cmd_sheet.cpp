@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "app/commands.h"
 #include "app/picture_options.h"
-#include "app/png_text.h"
 #include "app/recorded_runs.h"
 
 #include <CLI/CLI.hpp>
@@ -17,20 +16,22 @@ struct SheetOptions {
   std::vector<std::string> runs;
   std::string output;
   std::vector<double> times;  // s
-  StyleOptions style;
+  PictureOptions picture;
 };
 
-/// Particles and walls where the options do not name layers.
-Result<Style> sheetStyleFor(const SheetOptions& options, const Scene& scene) {
-  auto style = styleFor(options.style, scene);
-  if (!style) return style;
-  if (options.style.layers.empty()) style->layers = sheetStyle.layers;
-  for (const Layer layer : {Layer::hud, Layer::curve, Layer::trails})
-    if (style->layers.has(layer))
-      return Diagnostic{
-          {"--layers"},
-          fmt::format("{} has no place in a sheet, which has its times, scale and legend anyway",
-                      modelName(layer))};
+/// The scene's own style with what the options change in it, but the layers of a sheet.
+Result<Style> styleFor(const PictureOptions& options, const Scene& scene) {
+  const auto paint = paintOptions(options, scene);
+  if (!paint) return paint.problems;
+  Style style = paint->style;
+  if (options.layers.empty()) {
+    const bool trails = !options.trails.empty();
+    style.layers = sheetLayers;
+    if (trails) style.layers.add(Layer::trails);
+  }
+  if (style.layers.has(Layer::hud) || style.layers.has(Layer::curve))
+    return Diagnostic{{"--layers"},
+                      "hud and curve have no place in a sheet, which has its times, scale and legend anyway"};
   return style;
 }
 
@@ -39,7 +40,7 @@ ExitCode sheet(const SheetOptions& options, const Console& console) {
     return console.fail("--output", fmt::format("a sheet is a .png picture, not \"{}\"", options.output));
   auto runs = openRuns(options.runs);
   if (!runs) return console.fail(runs.problems);
-  const auto style = sheetStyleFor(options, runs->front().scene());
+  const auto style = styleFor(options.picture, runs->front().scene());
   if (!style) return console.fail(style.problems);
   const auto image = sheetOf(*runs, options.times, *style);
   if (!image) return console.fail(image.problems);
@@ -64,11 +65,10 @@ void addSheetCommand(CLI::App& program, CommandContext context) {
       ->type_name("T,T,...")
       ->delimiter(',')
       ->allow_extra_args(false);
-  addStyleOptions(*command, options->style);
+  addStyleOptions(*command, options->picture);
   command->footer(
       "Examples:\n  bedmix sheet out/even -o sheet.png --times 0,0.5,1,2,3,4,5,6,7\n"
-      "  bedmix sheet out/even out/inclined -o both.png --times 0.2,0.5,1,2,4\n"
-      "  bedmix sheet out/even -o strips.png --color strips:6");
+      "  bedmix sheet out/even out/inclined -o both.png --times 0.2,0.5,1,2,4");
   command->callback([options, context] { context.outcome = sheet(*options, context.console); });
 }
 

@@ -29,15 +29,8 @@ std::string textList(std::string_view commaSeparated) {
   return '[' + list + ']';
 }
 
-/// What the scene becomes with these keys.
-Result<Style> styled(const Scene& scene, const std::vector<Override>& overrides) {
-  const auto changed = readScene(writeScene(scene), scene.name, overrides);
-  if (!changed) return changed.problems;
-  return styleOf(*changed);
-}
-
 /// The options as keys of [pictures], so that one reader checks both.
-std::vector<Override> overridesOf(const StyleOptions& options) {
+std::vector<Override> overridesOf(const PictureOptions& options) {
   std::vector<Override> overrides;
   const auto set = [&](std::string_view key, std::string value, std::string option) {
     if (value.empty()) value = "\"\"";  // nothing at all would remove the key
@@ -55,12 +48,13 @@ std::vector<Override> overridesOf(const StyleOptions& options) {
     if (colon < options.color.size()) set("classes", options.color.substr(colon + 1), "--color");
   }
   if (!options.background.empty()) set("background", tomlString(options.background), "--background");
+  if (!options.trails.empty()) set("trails", '[' + options.trails + ']', "--trails");
   return overrides;
 }
 
 }  // namespace
 
-void addStyleOptions(CLI::App& command, StyleOptions& options) {
+void addStyleOptions(CLI::App& command, PictureOptions& options) {
   command.add_option("--layers", options.layers, "What to show, of " + names<Layer>())->type_name("LIST");
   command
       .add_option("--color", options.color,
@@ -69,6 +63,8 @@ void addStyleOptions(CLI::App& command, StyleOptions& options) {
       ->type_name("NAME[:N]");
   command.add_option("--background", options.background, "white, black or a colour like #1a2b3c")
       ->type_name("COLOR");
+  command.add_option("--trails", options.trails, "Numbers of particles that leave a trail, e.g. 3,500")
+      ->type_name("LIST");
   command
       .add_option("--picture", options.settings,
                   "Another key of the scene's [pictures], e.g. trail_time=0.2; may be repeated")
@@ -76,14 +72,8 @@ void addStyleOptions(CLI::App& command, StyleOptions& options) {
       ->allow_extra_args(false);
 }
 
-Result<Style> styleFor(const StyleOptions& options, const Scene& scene) {
-  return styled(scene, overridesOf(options));
-}
-
 void addPictureOptions(CLI::App& command, PictureOptions& options) {
   addStyleOptions(command, options);
-  command.add_option("--trails", options.trails, "Numbers of particles that leave a trail, e.g. 3,500")
-      ->type_name("LIST");
   command.add_option("--size", options.size, "Size of the picture in pixels, e.g. 1280x720")
       ->type_name("WxH");
 }
@@ -91,15 +81,13 @@ void addPictureOptions(CLI::App& command, PictureOptions& options) {
 Result<PaintOptions> paintOptions(const PictureOptions& options, const Scene& scene) {
   PaintOptions paint;
   std::vector<Diagnostic> problems;
-  std::vector<Override> overrides = overridesOf(options);
-  if (!options.trails.empty())
-    overrides.push_back({"pictures.trails", '[' + options.trails + ']', "--trails"});
-  auto style = styled(scene, overrides);
-  if (style) {
-    paint.style = *style;
+  const std::vector<Override> overrides = overridesOf(options);
+  const auto styled = readScene(writeScene(scene), scene.name, overrides);
+  if (styled) {
+    paint.style = styleOf(*styled);
     if (!options.trails.empty()) paint.style.layers.add(Layer::trails);
   } else {
-    problems = style.problems;
+    problems = styled.problems;
   }
   if (!options.size.empty()) {
     auto size = parseSize(options.size);

@@ -123,10 +123,6 @@ int legendRows(const Style& style) {
   return rows;
 }
 
-bool needsLegend(const Style& style) {
-  return style.color != ParticleColor::tracer || legendRows(style) > legendRows(Layers{Layer::particles});
-}
-
 void drawLegend(DrawList& list, Vec2f at, const Scene& scene, const Style& style, const Camera& camera,
                 float em) {
   const Palette palette = paletteOn(style.ground);

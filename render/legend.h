@@ -9,8 +9,6 @@ namespace bedmix {
 
 /// Rows of the legend.
 int legendRows(const Style& style);
-/// Whether a caption cannot say it all: more than black, green and the walls.
-bool needsLegend(const Style& style);
 
 /// Appends what colours, arrows and lines of the style's layers mean, in rows from `at` on, px.
 void drawLegend(DrawList& list, Vec2f at, const Scene& scene, const Style& style, const Camera& camera,

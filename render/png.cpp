@@ -48,8 +48,9 @@ bool encode(PngWriter& writer, std::FILE* file, const Image& image, const PngOpt
   if (setjmp(png_jmpbuf(writer.png))) return false;
   const png_structp png = writer.png;
   png_init_io(png, file);
-  png_set_compression_level(png, options.small ? 9 : 1);
-  png_set_filter(png, 0, options.small ? PNG_ALL_FILTERS : PNG_FILTER_SUB);
+  png_set_compression_level(png, options.small ? 6 : 1);  // 9 is six times slower for 3 %
+  png_set_filter(png, 0,
+                 options.small ? PNG_FILTER_NONE : PNG_FILTER_SUB);  // flat colours repeat as they are
   png_set_IHDR(png, writer.info, static_cast<png_uint_32>(image.size.width),
                static_cast<png_uint_32>(image.size.height), 8, PNG_COLOR_TYPE_RGB, PNG_INTERLACE_NONE,
                PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
