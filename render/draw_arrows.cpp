@@ -42,7 +42,7 @@ void drawFlow(DrawList& list, const BedView& view) {
   const std::vector<Vec2> mean = meanVelocities(view.frame, grid, fewest);
   const double dx = grid.width / grid.columns, dy = grid.height / grid.rows;
   const float pxPerSpeed = view.camera.length(arrowScale(view.scene, Layer::flow));
-  const float width = std::clamp(view.camera.length(0.06 * std::min(dx, dy)), 1.5f, 0.3f * view.em);
+  const float width = std::clamp(view.camera.length(0.08 * std::min(dx, dy)), 1.5f, 0.3f * view.em);
   const std::size_t first = list.lines.size();
   for (int row = 0; row < grid.rows; ++row)
     for (int column = 0; column < grid.columns; ++column) {

@@ -80,7 +80,7 @@ void drawParticles(DrawList& list, const BedView& view, const History& history) 
 }
 
 void drawTrails(DrawList& list, const BedView& view, const History& history) {
-  const float width = std::max(1.5f, view.camera.length(0.35 * view.scene.particles.diameter));
+  const float width = std::max(1.5f, view.camera.length(0.45 * view.scene.particles.diameter));
   const float dot = view.camera.length(0.7 * view.scene.particles.diameter);
   const std::size_t first = list.lines.size();
   for (std::size_t n = 0; n < history.trails(); ++n) {

@@ -152,7 +152,8 @@ void drawLegend(DrawList& list, Vec2f at, const Scene& scene, const Style& style
     // The widest line that fits a row.
     const double widest = static_cast<double>(0.7f * em / forceWidth(scene, camera, forceScale(scene)));
     const double force = roundDown(forceScale(scene) * std::min(1.0, widest));
-    column.line(fmt::format("{:g} N", force), forceWidth(scene, camera, force), forceColor, palette.wall);
+    column.line(fmt::format("force {:g} N", force), forceWidth(scene, camera, force), forceColor,
+                palette.wall);
   }
   if (shows(Layer::sampling)) column.hatching(fmt::format("under {}", samplingGrid(scene).minParticles));
   if (shows(Layer::counts)) {

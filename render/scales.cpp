@@ -17,10 +17,6 @@ double typicalSpeed(const Scene& scene) {
   return speed > 0.0 ? speed : 1.0;
 }
 
-double weight(const Scene& scene) {  // N
-  return static_cast<double>(scene.particles.count) * particleMass(scene) * scene.gravity;
-}
-
 }  // namespace
 
 double meanInflow(const Scene& scene) {
@@ -65,7 +61,7 @@ double arrowScale(const Scene& scene, Layer arrows) {
 }
 
 double forceScale(const Scene& scene) {
-  const double force = 3.0 * weight(scene) * scene.particles.diameter / scene.bed.width;
+  const double force = 3.0 * bedWeight(scene) * scene.bed.thickness * scene.particles.diameter;
   return force > 0.0 ? roundUp(force) : 1.0;
 }
 

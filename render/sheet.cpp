@@ -2,6 +2,7 @@
 #include "render/sheet.h"
 
 #include "render/draw_bed.h"
+#include "render/draw_sampling.h"
 #include "render/draw_walls.h"
 #include "render/hud.h"
 #include "render/hud_rows.h"
@@ -193,6 +194,9 @@ Result<Image> drawSheet(std::span<const SheetRun> runs, const Style& style) {
   if (!problems.empty()) return problems;
   const Page page = arrange(runs, style, hud);
   problems = sizeProblems(page.size);
+  if (style.layers.has(Layer::counts))
+    for (const SheetRun& run : runs)
+      for (Diagnostic& d : countsProblems(*run.scene, {{}, page.scale}, em)) problems.push_back(std::move(d));
   if (!problems.empty()) return problems;
   Result<Surface> surface = Surface::create(0);
   if (!surface) return surface.problems;

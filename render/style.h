@@ -11,7 +11,8 @@ namespace bedmix {
 struct Style : PictureSettings {
   /// Whether pictures show what was before their time.
   bool showsHistory() const {
-    return layers.has(Layer::curve) || layers.has(Layer::trails) || hasClasses(color);
+    return layers.has(Layer::curve) || layers.has(Layer::trails) ||
+           (layers.has(Layer::particles) && hasClasses(color));
   }
 
   Style() = default;

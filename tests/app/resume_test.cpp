@@ -66,6 +66,12 @@ class FaultsResume : public ProgramTest {
   }
 };
 
+TEST_F(FaultsResume, PicturesMayChange) {
+  ASSERT_EQ(runTiny("r", "0.02").exitCode, 0);
+  const Outcome o = runTiny("r", "0.03", {"--resume", "--set", "pictures.color=speed"});
+  EXPECT_EQ(o.exitCode, 0) << o.err;
+}
+
 TEST_F(FaultsResume, KilledAgainAndAgainItComesToTheSameRun) {
   ASSERT_EQ(runTiny("whole", "4").exitCode, 0);
   const std::uintmax_t all = fs::file_size(folder / "whole/mixing.csv");

@@ -85,20 +85,21 @@ std::vector<Frame> stirredFrames(const Scene& scene) {
     const float share = static_cast<float>(i) / 20.0f;
     for (Vec2f& p : frame.position) {
       const float x = p.x, y = p.y;
-      p.x += share * 20.0f * x * (0.096f - x) * std::sin(40.0f * y);
+      p.x += share * 8.0f * x * (0.096f - x) * std::sin(40.0f * y);
       p.y += share * 0.04f * (1.0f + std::sin(65.0f * x)) * y / 0.2f;
     }
   }
   return frames;
 }
 
-/// The moving frame's lattice pressed together, harder towards the floor and along some rows.
+/// The moving frame's lattice pressed together, here more, there less.
 Frame pressedFrame(const Scene& scene) {
   Frame frame = test::movingFrame(scene);
+  const auto unevenness = static_cast<float>(0.005 * scene.particles.diameter);
+  const auto inset = static_cast<float>(0.1 * scene.particles.diameter);
   for (Vec2f& p : frame.position) {
-    p = p * 0.7999f;
-    p.x += 8e-6f * std::sin(900.0f * p.y) * std::sin(500.0f * p.x);
-    p.y += 8e-6f * std::sin(300.0f * p.x);
+    p = p * 0.7995f + Vec2f{inset, inset};
+    p += Vec2f{std::sin(900.0f * p.y) * std::sin(500.0f * p.x), std::sin(300.0f * p.x)} * unevenness;
   }
   return frame;
 }
@@ -145,7 +146,8 @@ TEST(Golden, Trails) {
 }
 
 TEST(Golden, Forces) {
-  const Scene scene = test::flatBed();
+  Scene scene = test::flatBed();
+  scene.particles = {100, 0.012, 1500.0};
   expectGolden("forces", scene, {Layer::particles, Layer::forces, Layer::walls, Layer::hud},
                {pressedFrame(scene)});
 }
