@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "render/av_film.h"
 #include "render/film_sink.h"
 #include "render/gnuplot.h"
 #include "render/mp4_film.h"
@@ -82,11 +83,13 @@ TEST(RenderFaults, FullDiskKeepsAnOlderPicture) {
   EXPECT_EQ(readPng(folder / "a.png")->size, (Size{16, 16}));
 }
 
-TEST(RenderFaults, FullDiskUnderAFilm) {
+class RenderFaultsFilm : public ::testing::TestWithParam<const char*> {};
+
+TEST_P(RenderFaultsFilm, FullDisk) {
   const test::TempFolder folder;
-  fillDisk(folder / "a.mp4");
-  Result<FilmSink> sink =
-      FilmSink::create(test::flatBed(), folder / "a.mp4", {{{240, 420}, defaultLayers, 0}});
+  const std::filesystem::path file = folder / GetParam();
+  fillDisk(file);
+  Result<FilmSink> sink = FilmSink::create(test::flatBed(), file, {{{240, 420}, defaultLayers, 0}});
   Result<Done> done = Done{};
   if (sink) {
     Frame frame = test::movingFrame(test::flatBed());
@@ -101,6 +104,33 @@ TEST(RenderFaults, FullDiskUnderAFilm) {
   expectFileTrouble(done);
   EXPECT_NE(done.problems[0].message.find("No space left"), std::string::npos) << done.problems[0].message;
   sink = Diagnostic{};
+  EXPECT_TRUE(folder.empty());
+}
+
+TEST_P(RenderFaultsFilm, OneThatIsLeftUnfinished) {
+  const test::TempFolder folder;
+  {
+    Result<FilmSink> sink =
+        FilmSink::create(test::flatBed(), folder / GetParam(), {{{240, 420}, defaultLayers, 0}});
+    ASSERT_TRUE(sink);
+    Frame frame = test::movingFrame(test::flatBed());
+    for (int i = 0; i < 20; ++i) {
+      frame.time = 0.02 * i;
+      sink->accept(frame);
+    }
+  }
+  EXPECT_TRUE(folder.empty());
+}
+
+INSTANTIATE_TEST_SUITE_P(Kinds, RenderFaultsFilm, ::testing::Values("a.mp4", "a.gif", "a.mkv"));
+
+TEST(RenderFaults, WithoutAnEncoder) {
+  const test::TempFolder folder;
+  AvFilm film(folder / "a.mp4", {"libnone", "mp4", ""});
+  const Result<Done> done = film.findEncoder({64, 64}, {50, 1});
+  ASSERT_FALSE(done);
+  EXPECT_EQ(done.problems[0].trouble, Trouble::unavailable);
+  EXPECT_NE(done.problems[0].message.find("libavcodec has no libnone"), std::string::npos);
   EXPECT_TRUE(folder.empty());
 }
 
