@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "render/av_film.h"
+#include "render/film_kind.h"
 #include "render/film_sink.h"
 #include "render/gnuplot.h"
 #include "render/mp4_film.h"
@@ -123,6 +124,18 @@ TEST_P(RenderFaultsFilm, OneThatIsLeftUnfinished) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Kinds, RenderFaultsFilm, ::testing::Values("a.mp4", "a.gif", "a.mkv"));
+
+TEST(RenderFaults, FilmsTooLargeForTheirKind) {
+  const test::TempFolder folder;
+  for (const char* name : {"a.mp4", "a.mkv"}) {
+    const auto film = createFilm(folder / name, {16384, 16384}, 50.0);
+    ASSERT_FALSE(film);
+    EXPECT_EQ(film.problems[0].trouble, Trouble::input);
+    EXPECT_NE(film.problems[0].message.find("16384x16384 is too large"), std::string::npos);
+  }
+  EXPECT_TRUE(createFilm(folder / "a.mkv", {8192, 8192}, 50.0));
+  EXPECT_TRUE(folder.empty());
+}
 
 TEST(RenderFaults, WithoutAnEncoder) {
   const test::TempFolder folder;
