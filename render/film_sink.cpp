@@ -27,28 +27,36 @@ struct FilmSink::State {
   std::string file;  // for messages
   Painter painter;
   std::unique_ptr<PictureWriter> film;
-  PictureWorkers encoder{1};  // ends before the film it writes to
-  Frame last;                 // seen, and shown until the next one's time
-  bool any = false;
+  PictureWorkers encoder{1};        // ends before the film it writes to
+  std::vector<Frame> last;          // seen of each bed, and shown until the next one's time
+  std::vector<const Frame*> shown;  // those; null where none was seen
+  double now = 0.0;                 // s, time of the newest of them
   std::int64_t pictures = 0;
   std::vector<Diagnostic> problems;
 
   State(const FilmOptions& o, std::string name, Painter p, std::unique_ptr<PictureWriter> writer)
-      : options(o), file(std::move(name)), painter(std::move(p)), film(std::move(writer)) {}
+      : options(o),
+        file(std::move(name)),
+        painter(std::move(p)),
+        film(std::move(writer)),
+        last(painter.beds()),
+        shown(painter.beds()) {}
+
+  bool isComplete() const { return std::find(shown.begin(), shown.end(), nullptr) == shown.end(); }
 
   double filmTime() const {
     return options.from + static_cast<double>(pictures) * options.speed / options.fps;
   }
-  /// Shows the last frame before `time` (or at it), as far as the film goes.
+  /// Shows the last frames before `time` (or at it), as far as the film goes.
   void showUntil(double time);
 };
 
 void FilmSink::State::showUntil(double time) {
-  if (!any || !problems.empty() || encoder.failed()) return;
+  if (!isComplete() || !problems.empty() || encoder.failed()) return;
   const std::int64_t before = pictures;
   while (filmTime() <= std::min(time, options.to + rounding)) ++pictures;
   if (pictures == before) return;
-  if (Result<Done> done = painter.paint(last, encoder.next()); !done) {
+  if (Result<Done> done = painter.paint(shown, encoder.next()); !done) {
     problems = done.problems;
     return;
   }
@@ -60,7 +68,7 @@ FilmSink::~FilmSink() = default;
 FilmSink::FilmSink(FilmSink&&) noexcept = default;
 FilmSink& FilmSink::operator=(FilmSink&&) noexcept = default;
 
-Result<FilmSink> FilmSink::create(const Scene& scene, const std::filesystem::path& path,
+Result<FilmSink> FilmSink::create(std::vector<PaintedBed> beds, const std::filesystem::path& path,
                                   const FilmOptions& options) {
   if (!(options.fps > 0.0 && options.fps <= 1000.0))
     return Diagnostic{
@@ -69,28 +77,35 @@ Result<FilmSink> FilmSink::create(const Scene& scene, const std::filesystem::pat
     return Diagnostic{
         {},
         fmt::format("a speed of {:g} simulated s per s of film never ends; give more than 0", options.speed)};
-  Result<Painter> painter = Painter::create(scene, options.paint);
+  Result<Painter> painter = Painter::create(std::move(beds), options.paint);
   if (!painter) return painter.problems;
   auto film = createFilm(path, painter->size(), options.fps);
   if (!film) return film.problems;
   return FilmSink(std::make_unique<State>(options, path.string(), std::move(*painter), std::move(*film)));
 }
 
-void FilmSink::accept(const Frame& frame) {
+Result<FilmSink> FilmSink::create(const Scene& scene, const std::filesystem::path& path,
+                                  const FilmOptions& options) {
+  return create({{scene, ""}}, path, options);
+}
+
+void FilmSink::accept(std::size_t bed, const Frame& frame) {
   State& s = *state_;
   s.showUntil(frame.time - rounding);
-  s.last = frame;
-  s.any = true;
+  s.painter.observe(bed, frame);
+  s.last[bed] = frame;
+  s.shown[bed] = &s.last[bed];
+  s.now = frame.time;
 }
 
 Result<Done> FilmSink::finish() {
   State& s = *state_;
-  s.showUntil(s.last.time + rounding);
+  s.showUntil(s.now + rounding);
   if (!s.problems.empty()) return s.problems;
   if (s.pictures == 0)
     return Diagnostic{{s.file},
                       fmt::format("no frame lies between {:g} and {:g} s; the last one is at {:g} s",
-                                  s.options.from, s.options.to, s.last.time)};
+                                  s.options.from, s.options.to, s.now)};
   if (Result<Done> done = s.encoder.finish(); !done) return done;
   return s.film->finish();
 }

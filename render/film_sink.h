@@ -10,6 +10,7 @@
 #include <filesystem>
 #include <limits>
 #include <memory>
+#include <vector>
 
 namespace bedmix {
 
@@ -24,19 +25,24 @@ struct FilmOptions {
 /// How many pictures a film has whose frames reach from `from` to `to`.
 std::int64_t picturesOf(const FilmOptions& options);
 
-/// Films a stream of frames: at film time n/fps it shows the last frame at or before from + n speed/fps.
-/// Draws in the caller's thread, and only what is shown; encodes in a thread of its own behind a short queue.
-/// Memory does not grow with length.
+/// Films a stream of frames, of one run or of several side by side: at film time n/fps it shows the last
+/// frame of each at or before from + n speed/fps, the first where there is none yet. Draws in the caller's
+/// thread, and only what is shown; encodes in a thread of its own behind a short queue. Memory does not grow
+/// with length.
 class FilmSink final : public FrameSink {
  public:
+  static Result<FilmSink> create(std::vector<PaintedBed> beds, const std::filesystem::path& path,
+                                 const FilmOptions& options = {});
   static Result<FilmSink> create(const Scene& scene, const std::filesystem::path& path,
                                  const FilmOptions& options = {});
   ~FilmSink() override;  // without finish(): no film is left
   FilmSink(FilmSink&&) noexcept;
   FilmSink& operator=(FilmSink&&) noexcept;
 
-  /// Frames in order of time. After a failure, which finish() reports, it does nothing.
-  void accept(const Frame& frame) override;
+  /// Frames in order of time, those of all beds together. After a failure, which finish() reports, it does
+  /// nothing.
+  void accept(std::size_t bed, const Frame& frame);
+  void accept(const Frame& frame) override { accept(0, frame); }
   /// Ends the film with the last frame seen; the first trouble met on the way, or none.
   Result<Done> finish();
   /// Pictures in the film so far.

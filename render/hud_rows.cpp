@@ -73,7 +73,8 @@ double supply(const Scene& scene) {
   return flow / scene.bed.width;
 }
 
-void drawState(Column column, const Scene& scene, const Frame& frame) {
+void drawState(Column column, const Scene& scene, const Frame& frame, const std::string& name) {
+  if (!name.empty()) column.text(name);
   column.text(timeLabel(frame.time, timeDecimals(std::array{scene.sampling.interval})));
   column.text(fmt::format("{} particles", frame.size()));
   if (scene.gas)
@@ -101,17 +102,18 @@ void drawLegend(Column column, const Scene& scene, Layers layers, const Camera& 
 
 }  // namespace
 
-HudRowCount hudRowCount(const Scene& scene, Layers layers) {
+HudRowCount hudRowCount(const Scene& scene, Layers layers, bool isNamed) {
   HudRowCount rows;
-  rows.state = scene.gas ? 5 : 4;
+  rows.state = (scene.gas ? 5 : 4) + isNamed;
   rows.legend =
       2 * (layers.has(Layer::particles) + layers.has(Layer::pressure) + layers.has(Layer::voidage)) +
       layers.has(Layer::velocity) + layers.has(Layer::gas);
   return rows;
 }
 
-void drawHud(DrawList& list, const Scene& scene, const Frame& frame, Layers layers, const Layout& layout) {
-  drawState({list, layout.state, layout.em}, scene, frame);
+void drawHud(DrawList& list, const Scene& scene, const Frame& frame, Layers layers, const Layout& layout,
+             const std::string& name) {
+  drawState({list, layout.state, layout.em}, scene, frame, name);
   drawLegend({list, layout.legend, layout.em}, scene, layers, layout.camera, layout.em);
   drawScaleBar(list, scene, layout.camera, layout.scaleBar, layout.em);
 

@@ -12,7 +12,7 @@
 namespace bedmix {
 
 /// What a picture may show.
-enum class Layer { particles, velocity, sampling, gas, pressure, voidage, walls, hud };
+enum class Layer { particles, velocity, sampling, gas, pressure, voidage, walls, hud, curve };
 
 struct LayerInfo {
   std::string_view name;
@@ -29,6 +29,7 @@ inline constexpr std::array layerTable{
     LayerInfo{"voidage", "voidage as colour of the cells", true},
     LayerInfo{"walls", "walls, distributor and gas inlets"},
     LayerInfo{"hud", "time, indices now, legend, scale bar"},
+    LayerInfo{"curve", "the mixing indices up to now, beside or below the bed"},
 };
 
 /// A set of layers.

@@ -6,9 +6,12 @@
 #include "render/image.h"
 #include "render/layers.h"
 
+#include <span>
+#include <vector>
+
 namespace bedmix {
 
-/// Where things are in a picture of one bed. Depends on scene, layers and size alone, so that a film is
+/// Where things of one bed are in a picture. Depends on scene, layers and size alone, so that a film is
 /// steady.
 struct Layout {
   Camera camera;
@@ -19,7 +22,17 @@ struct Layout {
   Vec2f scaleBar;   // px, its lower left corner
 };
 
-/// The whole bed and, with the layer, the HUD above it or to its left, whichever leaves the bed larger.
+/// Beds side by side, all to one scale, and the chart of their indices.
+struct PictureLayout {
+  std::vector<Layout> beds;
+  Box chart;        // px; empty without the layer
+  float em = 0.0f;  // px
+};
+
+/// Whole beds and, with the layers, the HUD above each or to its left, and the chart to the right of all or
+/// below, whichever leaves the beds larger.
+PictureLayout layoutPicture(std::span<const Scene> scenes, Size size, Layers layers);
+/// The same of one bed, of which it gives the layout.
 Layout layoutPicture(const Scene& scene, Size size, Layers layers);
 
 /// The height that pictures of the bed show, m: a tenth more than the bed where its top is open, which

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "render/painter.h"
 
+#include "engine/core/mixing.h"
+#include "render/chart.h"
 #include "render/hud.h"
 #include "render/hud_rows.h"
 #include "render/layout.h"
@@ -13,14 +15,31 @@
 
 namespace bedmix {
 
+namespace {
+
+constexpr std::size_t longestName = 16;  // characters, of a bed in its HUD
+
+std::string shortened(std::string name) {
+  if (name.size() > longestName) name = name.substr(0, longestName - 3) + "...";
+  return name;
+}
+
+}  // namespace
+
 struct Painter::State {
-  Scene scene;
+  std::vector<Scene> scenes;
+  std::vector<std::string> names;
+  std::vector<IndexCurve> curves;
+  std::vector<SamplingGrid> grids;
   Size size;
   Style style;
-  Layout layout;
+  PictureLayout layout;
+  double until = 0.0;  // s, the longest of the runs
   Surface surface;
   Hud hud;
-  DrawList bed, overlay;
+  DrawList bed, overlay, chart;
+
+  void drawOverlay(std::span<const Frame* const> frames);
 };
 
 Painter::Painter(std::unique_ptr<State> state) : state_(std::move(state)) {}
@@ -28,48 +47,110 @@ Painter::~Painter() = default;
 Painter::Painter(Painter&&) noexcept = default;
 Painter& Painter::operator=(Painter&&) noexcept = default;
 
-Result<Painter> Painter::create(const Scene& scene, const PaintOptions& options) {
-  const Size size = options.size == Size{} ? defaultSize(scene) : options.size;
+Result<Painter> Painter::create(std::vector<PaintedBed> beds, const PaintOptions& options) {
+  std::vector<Scene> scenes;
+  std::vector<std::string> names;
+  for (PaintedBed& bed : beds) {
+    scenes.push_back(std::move(bed.scene));
+    names.push_back(shortened(std::move(bed.name)));
+  }
+  const Size size = options.size == Size{} ? defaultSize(scenes, options.style) : options.size;
   std::vector<Diagnostic> problems = sizeProblems(size);
-  for (Diagnostic& problem : missingFor(scene, options.style.layers)) problems.push_back(std::move(problem));
+  for (const Scene& scene : scenes)
+    for (Diagnostic& problem : missingFor(scene, options.style.layers))
+      problems.push_back(std::move(problem));
   if (!problems.empty()) return problems;
   Result<Surface> surface = Surface::create(options.threads);
   if (!surface) return surface.problems;
 
-  const Layout layout = layoutPicture(scene, size, options.style.layers);
-  auto state = std::make_unique<State>(
-      State{scene, size, options.style, layout, std::move(*surface), Hud(layout.em), {}, {}});
+  PictureLayout layout = layoutPicture(scenes, size, options.style.layers);
+  std::vector<SamplingGrid> grids;
+  double until = 0.0;
+  for (const Scene& scene : scenes) {
+    grids.push_back(samplingGrid(scene));
+    until = std::max(until, scene.time.duration);
+  }
+  Hud hud(layout.em);
+  std::vector<IndexCurve> curves(scenes.size());
+  auto state = std::make_unique<State>(State{std::move(scenes),
+                                             std::move(names),
+                                             std::move(curves),
+                                             std::move(grids),
+                                             size,
+                                             options.style,
+                                             std::move(layout),
+                                             until,
+                                             std::move(*surface),
+                                             std::move(hud),
+                                             {},
+                                             {},
+                                             {}});
   state->surface.setGlyphs(state->hud.glyphs());
-  state->bed.clip = layout.view;
   state->overlay.clip = {0.0f, 0.0f, static_cast<float>(size.width), static_cast<float>(size.height)};
   return Painter(std::move(state));
 }
 
+Result<Painter> Painter::create(const Scene& scene, const PaintOptions& options) {
+  return create({{scene, ""}}, options);
+}
+
 Size Painter::size() const { return state_->size; }
 
-Result<Done> Painter::paint(const Frame& frame, Image& into) {
-  State& s = *state_;
-  if (std::vector<Diagnostic> missing = missingFor(s.scene, frame, s.style.layers); !missing.empty())
-    return missing;
-  into.resize(s.size);
-  s.bed.clear();
-  s.overlay.clear();
-  drawBed(s.bed, s.scene, frame, s.layout.camera, s.style, s.layout.em);
-  if (s.style.layers.has(Layer::hud)) drawHud(s.overlay, s.scene, frame, s.style.layers, s.layout);
+std::size_t Painter::beds() const { return state_->scenes.size(); }
 
+void Painter::observe(std::size_t bed, const Frame& frame) {
+  State& s = *state_;
+  if (s.style.layers.has(Layer::curve)) s.curves[bed].observe(mixingSample(frame, s.grids[bed]));
+}
+
+void Painter::State::drawOverlay(std::span<const Frame* const> frames) {
+  overlay.clear();
+  chart.clear();
+  for (std::size_t i = 0; i < scenes.size(); ++i) {
+    if (style.layers.has(Layer::hud))
+      drawHud(overlay, scenes[i], *frames[i], style.layers, layout.beds[i],
+              scenes.size() > 1 ? names[i] : "");
+    until = std::max(until, frames[i]->time);
+  }
+  if (style.layers.has(Layer::curve))
+    drawChart(chart, overlay, layout.chart, indexChart(names, curves), until, layout.em);
+}
+
+Result<Done> Painter::paint(std::span<const Frame* const> frames, Image& into) {
+  State& s = *state_;
+  for (std::size_t i = 0; i < s.scenes.size(); ++i)
+    if (std::vector<Diagnostic> missing = missingFor(s.scenes[i], *frames[i], s.style.layers);
+        !missing.empty())
+      return missing;
+  into.resize(s.size);
   s.surface.begin(into, white);
-  s.surface.draw(s.bed);
+  for (std::size_t i = 0; i < s.scenes.size(); ++i) {
+    s.bed.clear();
+    s.bed.clip = s.layout.beds[i].view;
+    drawBed(s.bed, s.scenes[i], *frames[i], s.layout.beds[i].camera, s.style, s.layout.em);
+    s.surface.draw(s.bed);
+  }
+  s.drawOverlay(frames);
   s.surface.draw(s.overlay);
+  s.surface.draw(s.chart);
   s.surface.draw(s.hud.mesh(s.size, s.overlay.texts));
   s.surface.end();
   return Done{};
 }
 
-Size defaultSize(const Scene& scene) {
-  constexpr int height = 960, widest = 1280;
-  const double bed =
-      0.88 * height * scene.bed.width / viewHeight(scene);  // what is left beside HUD and walls
-  const int width = std::clamp(static_cast<int>(bed) + 340, 480, widest);
+Result<Done> Painter::paint(const Frame& frame, Image& into) {
+  const Frame* const one = &frame;
+  return paint(std::span(&one, 1), into);
+}
+
+Size defaultSize(std::span<const Scene> scenes, const Style& style) {
+  constexpr int height = 960, widest = 1280, chart = 560;
+  int width = style.layers.has(Layer::curve) ? chart : 0;
+  for (const Scene& scene : scenes) {
+    // What is left beside HUD and walls.
+    const double bed = 0.88 * height * scene.bed.width / viewHeight(scene);
+    width += std::clamp(static_cast<int>(bed) + 340, 480, widest);
+  }
   return {width - width % 2, height};
 }
 

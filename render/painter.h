@@ -8,8 +8,10 @@
 #include "render/style.h"
 
 #include <memory>
+#include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace bedmix {
 
@@ -19,21 +21,33 @@ struct PaintOptions {
   int threads = 0;  // of the rasterizer, 0 = all cores; the first painter of the program decides
 };
 
-/// Draws frames of one scene off-screen: whole bed in view, HUD beside or above it, whichever leaves the bed
-/// larger. The same frame twice gives the same bytes. Not thread-safe, but a painter may move between
-/// threads.
+/// One of the beds of a picture.
+struct PaintedBed {
+  Scene scene;
+  std::string name;  // tells it from the others; not shown of a single one
+};
+
+/// Draws frames off-screen: of one bed, or of several side by side to one scale; whole beds in view, HUD
+/// beside or above each, whichever leaves it larger. The same frames twice give the same bytes. Not
+/// thread-safe, but a painter may move between threads.
 class Painter {
  public:
-  /// Fails as `input` for a size outside the limits or a layer the scene cannot show, as `unavailable` where
+  /// Fails as `input` for a size outside the limits or a layer a scene cannot show, as `unavailable` where
   /// OpenGL is.
+  static Result<Painter> create(std::vector<PaintedBed> beds, const PaintOptions& options = {});
   static Result<Painter> create(const Scene& scene, const PaintOptions& options = {});
   ~Painter();
   Painter(Painter&&) noexcept;
   Painter& operator=(Painter&&) noexcept;
 
   Size size() const;
-  /// `into` is resized and overwritten; keep it for the next frame and nothing is allocated. Fails where the
-  /// frame lacks the gas a layer needs.
+  std::size_t beds() const;
+  /// Takes note of a frame that may not be painted itself, for what pictures show of the time before theirs.
+  /// In order of time for each bed.
+  void observe(std::size_t bed, const Frame& frame);
+  /// One frame a bed. `into` is resized and overwritten; keep it for the next frame and nothing is allocated.
+  /// Fails where a frame lacks the gas a layer needs.
+  Result<Done> paint(std::span<const Frame* const> frames, Image& into);
   Result<Done> paint(const Frame& frame, Image& into);
 
  private:
@@ -42,8 +56,8 @@ class Painter {
   std::unique_ptr<State> state_;
 };
 
-/// A portrait picture that fits the bed and the HUD; both numbers even.
-Size defaultSize(const Scene& scene);
+/// A picture that fits the beds, their HUDs and the chart of a style; both numbers even.
+Size defaultSize(std::span<const Scene> scenes, const Style& style);
 
 /// Reads "1280x720"; each between 16 and 16384, the limits of the rasterizer.
 Result<Size> parseSize(std::string_view text);
