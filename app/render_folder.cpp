@@ -8,7 +8,21 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
+#include <cstdint>
+
 namespace bedmix {
+
+namespace {
+
+/// As many as cores, as long as the pictures on their way take no more than this.
+int writersFor(Size picture) {
+  constexpr std::int64_t mostBytes = std::int64_t{2} << 30;
+  const std::int64_t bytes = std::int64_t{4} * picture.width * picture.height;
+  return static_cast<int>(std::clamp<std::int64_t>(mostBytes / bytes, 1, availableCores()));
+}
+
+}  // namespace
 
 ExitCode renderFolder(const RenderJob& job, bool force) {
   const Scene& scene = job.reader.scene();
@@ -18,11 +32,12 @@ ExitCode renderFolder(const RenderJob& job, bool force) {
   auto folder = FrameFolder::open(job.output, total, force);
   if (!folder) return job.console.fail(folder.problems);
 
-  PictureWorkers writers(availableCores());
+  PictureWorkers writers(writersFor(painter->size()));
   PictureProgress progress(job.console, static_cast<std::int64_t>(total));
   std::size_t number = 0, kept = 0;
   const auto drawn = forFrames(job, [&](const Frame& frame) -> Result<Done> {
     const std::size_t n = number++;
+    painter->observe(0, frame);
     PngOptions png{.text = pngText(scene, frame), .dpi = {}};
     const auto there = folder->holds(n, painter->size(), png.text);
     if (!there) return there.problems;

@@ -50,6 +50,8 @@ std::optional<FilmKind> filmKindOf(const std::filesystem::path& path) {
 
 double fittingRate(FilmKind kind, double fps) { return kind == FilmKind::gif ? 100.0 / gifDelay(fps) : fps; }
 
+Size fittingSize(FilmKind kind, Size picture) { return kind == FilmKind::mp4 ? evenSize(picture) : picture; }
+
 Result<std::unique_ptr<PictureWriter>> createFilm(const std::filesystem::path& path, Size size, double fps) {
   const auto kind = filmKindOf(path);
   if (!kind) return Diagnostic{{path.string()}, "is no kind of film; give a .mp4, a .gif or a .mkv"};

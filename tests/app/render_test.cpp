@@ -54,6 +54,7 @@ TEST_F(RenderingPipeline, FilmsOfEachKind) {
     EXPECT_TRUE(contains(o.err, file + ": 31 pictures at 50 a second"));
     EXPECT_TRUE(contains(o.err, "31 of 31 pictures"));
   }
+  EXPECT_TRUE(contains(frames("x.mp4", {}, "65x97").err, "the film has 66x98 pixels"));
   const Outcome gif = frames("x.gif", {"--fps", "30"});
   EXPECT_TRUE(contains(gif.err, "33.33 pictures a second, not 30"));
   EXPECT_TRUE(contains(gif.err, "17 pictures"));  // 0.5 s of them, and the one at 0
@@ -95,12 +96,13 @@ TEST_F(RenderingPipeline, FolderLacksWhatIsGoneOn) {
 }
 
 TEST_F(RenderingPipeline, FolderOfAKilledRenderingIsGoneOnWith) {
-  ASSERT_EQ(frames("whole").exitCode, 0);
-  const auto killed = start({"render", "r", "-o", "f", "--size", "160x240"});
+  const std::vector<std::string> layers{"--layers", "particles,hud,curve"};  // the curve has a past
+  ASSERT_EQ(frames("whole", layers).exitCode, 0);
+  const auto killed = start({"render", "r", "-o", "f", "--size", "160x240", layers[0], layers[1]});
   ASSERT_TRUE(killed->waitForMessage(" of 51 pictures, "));
   killed->send(SIGKILL);
   killed->wait();
-  const Outcome o = frames("f");
+  const Outcome o = frames("f", layers);
   ASSERT_EQ(o.exitCode, 0) << o.err;
   EXPECT_TRUE(filesIn(folder / "f") == filesIn(folder / "whole"));
 }
