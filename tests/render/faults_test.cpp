@@ -84,11 +84,11 @@ TEST(RenderFaults, FullDiskKeepsAnOlderPicture) {
   EXPECT_EQ(readPng(folder / "a.png")->size, (Size{16, 16}));
 }
 
-class RenderFaultsFilm : public ::testing::TestWithParam<const char*> {};
+class RenderFaultsFilm : public ::testing::TestWithParam<std::string> {};
 
 TEST_P(RenderFaultsFilm, FullDisk) {
   const test::TempFolder folder;
-  const std::filesystem::path file = folder / GetParam();
+  const std::filesystem::path file = folder / GetParam().c_str();
   fillDisk(file);
   Result<FilmSink> sink = FilmSink::create(test::flatBed(), file, {{{240, 420}, defaultLayers, 0}});
   Result<Done> done = Done{};
@@ -112,7 +112,7 @@ TEST_P(RenderFaultsFilm, OneThatIsLeftUnfinished) {
   const test::TempFolder folder;
   {
     Result<FilmSink> sink =
-        FilmSink::create(test::flatBed(), folder / GetParam(), {{{240, 420}, defaultLayers, 0}});
+        FilmSink::create(test::flatBed(), folder / GetParam().c_str(), {{{240, 420}, defaultLayers, 0}});
     ASSERT_TRUE(sink);
     Frame frame = test::movingFrame(test::flatBed());
     for (int i = 0; i < 20; ++i) {

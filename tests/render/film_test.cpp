@@ -77,20 +77,20 @@ TEST(Film, TakesAPart) {
   EXPECT_EQ(green(test::decode(folder / "a.mp4")), blackThenGreen(5, 16));
 }
 
-class FilmOfAKind : public ::testing::TestWithParam<const char*> {};
+class FilmOfAKind : public ::testing::TestWithParam<std::string> {};
 
 TEST_P(FilmOfAKind, ShowsTheSame) {
   const test::TempFolder folder;
-  const std::filesystem::path file = folder / GetParam();
+  const std::filesystem::path file = folder / GetParam().c_str();
   film(file, {{}, 50.0, 0.5, 0.1, 0.4});
   EXPECT_EQ(green(test::decode(file)), blackThenGreen(10, 31));
 }
 
 TEST_P(FilmOfAKind, IsTheSameBytesTwice) {
   const test::TempFolder a, b;
-  film(a / GetParam(), {});
-  film(b / GetParam(), {});
-  EXPECT_EQ(test::bytesOf(a / GetParam()), test::bytesOf(b / GetParam()));
+  film(a / GetParam().c_str(), {});
+  film(b / GetParam().c_str(), {});
+  EXPECT_EQ(test::bytesOf(a / GetParam().c_str()), test::bytesOf(b / GetParam().c_str()));
 }
 
 INSTANTIATE_TEST_SUITE_P(Kinds, FilmOfAKind, ::testing::Values("a.mp4", "a.gif", "a.mkv"));
