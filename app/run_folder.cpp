@@ -3,10 +3,7 @@
 
 #include <fmt/core.h>
 
-#include <cerrno>
-#include <fcntl.h>
-#include <sys/file.h>
-#include <unistd.h>
+#include <system_error>
 
 namespace fs = std::filesystem;
 
@@ -18,27 +15,11 @@ Diagnostic trouble(const fs::path& path, const std::string& message) {
   return {{path.string()}, message, Trouble::file};
 }
 
-Result<RunFolder> makeFolder(const fs::path& path) {
-  std::error_code error;
-  if (fs::exists(path, error) && !fs::is_directory(path, error))
-    return trouble(path, "is a file; give a folder with -o");
-  fs::create_directories(path, error);
-  if (error) return trouble(path, fmt::format("cannot make this folder: {}", error.message()));
-  if (access(path.c_str(), W_OK | X_OK) != 0)
-    return trouble(path, "cannot write into this folder; change its permissions or give another with -o");
-  return RunFolder{path};
-}
-
-/// The folder itself is locked: nothing is left behind, whatever ends the program. Where a file system has no
-/// locks, the trajectory's own is all there is.
-Result<RunFolder> claim(RunFolder folder) {
-  const int descriptor = open(folder.path.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-  if (descriptor < 0) return trouble(folder.path, std::error_code(errno, std::generic_category()).message());
-  folder.claim = std::shared_ptr<const void>(nullptr, [descriptor](const void*) { close(descriptor); });
-  if (flock(descriptor, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK)
-    return trouble(folder.path,
-                   "another bedmix is writing a run into this folder; wait for it or give another with -o");
-  return folder;
+Result<RunFolder> makeAndClaim(const fs::path& path) {
+  if (Result<Done> made = makeFolder(path); !made) return made.problems;
+  Result<FolderClaim> claim = claimFolder(path);
+  if (!claim) return claim.problems;
+  return RunFolder{path, *claim};
 }
 
 }  // namespace
@@ -47,13 +28,11 @@ Result<RunFolder> claimRunFolder(const fs::path& path) {
   std::error_code none;
   if (!fs::exists(RunFolder{path}.trajectory(), none))
     return trouble(path, "holds no run to go on with; leave out --resume to begin one");
-  Result<RunFolder> folder = makeFolder(path);
-  return folder ? claim(std::move(*folder)) : folder;
+  return makeAndClaim(path);
 }
 
 Result<RunFolder> makeRunFolder(const fs::path& path, bool force) {
-  Result<RunFolder> folder = makeFolder(path);
-  if (folder) folder = claim(std::move(*folder));
+  Result<RunFolder> folder = makeAndClaim(path);
   if (!folder) return folder;
   std::error_code error;
   if (fs::is_empty(path, error)) return folder;
@@ -77,7 +56,8 @@ Result<RunFolder> makeReplayFolder(const fs::path& path) {
     return Diagnostic{{path.string()},
                       "this folder holds a run, whose own series would be overwritten; give another "
                       "with -o"};
-  return makeFolder(path);
+  if (Result<Done> made = makeFolder(path); !made) return made.problems;
+  return RunFolder{path};
 }
 
 fs::path runFolderOf(const fs::path& run) {

@@ -4,7 +4,10 @@
 
 #include <algorithm>
 #include <csignal>
+#include <fcntl.h>
 #include <map>
+#include <sys/file.h>
+#include <unistd.h>
 
 namespace fs = std::filesystem;
 
@@ -121,6 +124,17 @@ TEST_F(RenderingFaults, FolderOfAnotherRenderingIsRefused) {
   ASSERT_EQ(frames("f", {"--every", "20", "--force"}).exitCode, 0);
   EXPECT_EQ(filesIn(folder / "f").size(), 4u);
   EXPECT_EQ(readFile(folder / "f/notes.txt"), "mine");
+}
+
+TEST_F(RenderingFaults, FolderIsFilledByOneAtATime) {
+  fs::create_directory(folder / "f");
+  const int held = open((folder / "f").c_str(), O_RDONLY | O_DIRECTORY);
+  ASSERT_EQ(flock(held, LOCK_EX), 0);  // as another program would
+  const Outcome second = frames("f");
+  EXPECT_EQ(second.exitCode, 4);
+  EXPECT_TRUE(contains(second.err, "another bedmix is writing into this folder"));
+  close(held);
+  EXPECT_EQ(frames("f").exitCode, 0);
 }
 
 TEST_F(RenderingFaults, OptionsOfAnotherOutput) {

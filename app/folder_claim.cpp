@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: MIT
+#include "app/folder_claim.h"
+
+#include <fmt/core.h>
+
+#include <cerrno>
+#include <fcntl.h>
+#include <string>
+#include <sys/file.h>
+#include <system_error>
+#include <unistd.h>
+
+namespace fs = std::filesystem;
+
+namespace bedmix {
+
+namespace {
+
+Diagnostic trouble(const fs::path& path, const std::string& message) {
+  return {{path.string()}, message, Trouble::file};
+}
+
+}  // namespace
+
+Result<Done> makeFolder(const fs::path& path) {
+  std::error_code error;
+  if (fs::exists(path, error) && !fs::is_directory(path, error))
+    return trouble(path, "is a file; give a folder with -o");
+  fs::create_directories(path, error);
+  if (error) return trouble(path, fmt::format("cannot make this folder: {}", error.message()));
+  if (access(path.c_str(), W_OK | X_OK) != 0)
+    return trouble(path, "cannot write into this folder; change its permissions or give another with -o");
+  return Done{};
+}
+
+Result<FolderClaim> claimFolder(const fs::path& path) {
+  const int descriptor = open(path.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  if (descriptor < 0) return trouble(path, std::error_code(errno, std::generic_category()).message());
+  FolderClaim claim(nullptr, [descriptor](const void*) { close(descriptor); });
+  if (flock(descriptor, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK)
+    return trouble(path, "another bedmix is writing into this folder; wait for it or give another with -o");
+  return claim;
+}
+
+}  // namespace bedmix
