@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "app/folder_claim.h"
 
-#include <fmt/core.h>
-
 #include <cerrno>
 #include <fcntl.h>
 #include <string>
@@ -21,17 +19,6 @@ Diagnostic trouble(const fs::path& path, const std::string& message) {
 }
 
 }  // namespace
-
-Result<Done> makeFolder(const fs::path& path) {
-  std::error_code error;
-  if (fs::exists(path, error) && !fs::is_directory(path, error))
-    return trouble(path, "is a file; give a folder with -o");
-  fs::create_directories(path, error);
-  if (error) return trouble(path, fmt::format("cannot make this folder: {}", error.message()));
-  if (access(path.c_str(), W_OK | X_OK) != 0)
-    return trouble(path, "cannot write into this folder; change its permissions or give another with -o");
-  return Done{};
-}
 
 Result<FolderClaim> claimFolder(const fs::path& path) {
   const int descriptor = open(path.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);

@@ -11,9 +11,6 @@ namespace bedmix {
 /// Held by whoever writes into a folder, so that no other program does.
 using FolderClaim = std::shared_ptr<const void>;
 
-/// Makes the folder where there is none, and sees whether it can be written into.
-Result<Done> makeFolder(const std::filesystem::path& path);
-
 /// Fails where another program holds it. The folder itself is locked: nothing is left behind, whatever ends
 /// the program. A file system without locks gives everyone one.
 Result<FolderClaim> claimFolder(const std::filesystem::path& path);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "app/frame_folder.h"
 
+#include "app/run_folder.h"
 #include "render/png_info.h"
 
 #include <fmt/core.h>
@@ -38,7 +39,7 @@ bool sameColors(const Image& a, const Image& b) {
 }  // namespace
 
 Result<FrameFolder> FrameFolder::open(const fs::path& path, std::size_t pictures, bool force) {
-  if (Result<Done> made = makeFolder(path); !made) return made.problems;
+  if (const auto made = makeFolder(path); !made) return made.problems;
   Result<FolderClaim> claim = claimFolder(path);
   if (!claim) return claim.problems;
   FrameFolder folder(path, std::move(*claim), pictures);

@@ -4,6 +4,7 @@
 #include <fmt/core.h>
 
 #include <system_error>
+#include <unistd.h>
 
 namespace fs = std::filesystem;
 
@@ -15,24 +16,36 @@ Diagnostic trouble(const fs::path& path, const std::string& message) {
   return {{path.string()}, message, Trouble::file};
 }
 
-Result<RunFolder> makeAndClaim(const fs::path& path) {
-  if (Result<Done> made = makeFolder(path); !made) return made.problems;
-  Result<FolderClaim> claim = claimFolder(path);
+Result<RunFolder> claimed(Result<RunFolder> folder) {
+  if (!folder) return folder;
+  Result<FolderClaim> claim = claimFolder(folder->path);
   if (!claim) return claim.problems;
-  return RunFolder{path, *claim};
+  folder->claim = std::move(*claim);
+  return folder;
 }
 
 }  // namespace
+
+Result<RunFolder> makeFolder(const fs::path& path) {
+  std::error_code error;
+  if (fs::exists(path, error) && !fs::is_directory(path, error))
+    return trouble(path, "is a file; give a folder with -o");
+  fs::create_directories(path, error);
+  if (error) return trouble(path, fmt::format("cannot make this folder: {}", error.message()));
+  if (access(path.c_str(), W_OK | X_OK) != 0)
+    return trouble(path, "cannot write into this folder; change its permissions or give another with -o");
+  return RunFolder{path};
+}
 
 Result<RunFolder> claimRunFolder(const fs::path& path) {
   std::error_code none;
   if (!fs::exists(RunFolder{path}.trajectory(), none))
     return trouble(path, "holds no run to go on with; leave out --resume to begin one");
-  return makeAndClaim(path);
+  return claimed(makeFolder(path));
 }
 
 Result<RunFolder> makeRunFolder(const fs::path& path, bool force) {
-  Result<RunFolder> folder = makeAndClaim(path);
+  Result<RunFolder> folder = claimed(makeFolder(path));
   if (!folder) return folder;
   std::error_code error;
   if (fs::is_empty(path, error)) return folder;
@@ -56,8 +69,7 @@ Result<RunFolder> makeReplayFolder(const fs::path& path) {
     return Diagnostic{{path.string()},
                       "this folder holds a run, whose own series would be overwritten; give another "
                       "with -o"};
-  if (Result<Done> made = makeFolder(path); !made) return made.problems;
-  return RunFolder{path};
+  return makeFolder(path);
 }
 
 fs::path runFolderOf(const fs::path& run) {
