@@ -219,7 +219,7 @@ TEST_F(FaultsResume, TwoRunsIntoOneFolderAreRefused) {
   for (const std::vector<std::string>& more : {std::vector<std::string>{}, {"--force"}, {"--resume"}}) {
     const Outcome o = runTiny("r", "1000", more);
     EXPECT_EQ(o.exitCode, 4);
-    EXPECT_TRUE(contains(o.err, "another bedmix is writing a run into this folder"));
+    EXPECT_TRUE(contains(o.err, "another bedmix is writing into this folder"));
   }
   run->send(SIGKILL);
   run->wait();
