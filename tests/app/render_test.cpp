@@ -63,6 +63,35 @@ TEST_F(RenderingPipeline, FilmsOfEachKind) {
   EXPECT_TRUE(contains(gif.err, "17 pictures"));  // 0.5 s of them, and the one at 0
 }
 
+TEST_F(RenderingPipeline, RunsSideBySide) {
+  ASSERT_EQ(bedmix({"run", "tiny", "-o", "s", "--until", "0.3", "--set", "sampling.interval=0.02"}).exitCode,
+            0);
+  const std::vector<std::string> together{"--layers", "particles,hud,curve", "--size", "640x360"};
+  const auto render = [&](std::vector<std::string> arguments) {
+    arguments.insert(arguments.begin(), "render");
+    arguments.insert(arguments.end(), together.begin(), together.end());
+    return bedmix(arguments);
+  };
+  Outcome o = render({"r", "s", "-o", "both.mp4", "--fps", "50"});
+  ASSERT_EQ(o.exitCode, 0) << o.err;
+  EXPECT_TRUE(contains(o.err, "both.mp4: 26 pictures"));  // as long as the longer one
+
+  // A frame of a folder is the picture of its time, curves of what was before included.
+  o = render({"r", "s", "-o", "f", "--from", "0.2", "--to", "0.25"});
+  ASSERT_EQ(o.exitCode, 0) << o.err;
+  EXPECT_EQ(filesIn(folder / "f").size(), 6u);
+  o = render({"r", "s", "-o", "one.png", "--time", "0.23"});
+  ASSERT_EQ(o.exitCode, 0) << o.err;
+  const auto fromFolder = readPng(folder / "f" / "frame_000003.png"), alone = readPng(folder / "one.png");
+  ASSERT_TRUE(fromFolder && alone);
+  EXPECT_EQ(alone->size, (Size{640, 360}));
+  EXPECT_TRUE(fromFolder->rgba == alone->rgba);
+
+  o = render({"r", "s", "-o", "late.png", "--time", "0.4"});
+  EXPECT_EQ(o.exitCode, 2);
+  EXPECT_TRUE(contains(o.err, "there is no frame at t = 0.4 s"));
+}
+
 TEST_F(RenderingPipeline, FolderIsFilledAndThenKept) {
   const Outcome first = frames("f", {"--from", "0.1", "--to", "0.3", "--every", "5"});
   ASSERT_EQ(first.exitCode, 0) << first.err;
