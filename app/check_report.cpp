@@ -37,6 +37,10 @@ class Report {
     effort();
     return std::move(rows_);
   }
+  std::vector<CheckRow> effectsOnly() {
+    effects();
+    return std::move(rows_);
+  }
 
  private:
   void add(std::string name, std::variant<double, std::string> value, std::string unit = "",
@@ -240,6 +244,8 @@ class Report {
 };
 
 }  // namespace
+
+std::vector<CheckRow> effectRows(const Scene& scene) { return Report(scene).effectsOnly(); }
 
 std::vector<CheckRow> checkReport(const Scene& scene) { return Report(scene).rows(); }
 

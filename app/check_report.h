@@ -18,7 +18,10 @@ struct CheckRow {
   std::string note;  // how it comes about, what it means
 };
 
-/// Which effects the scene calls for, its time scales, the margins of its steps, velocities and sizes; and
+/// Which effects the scene calls for.
+std::vector<CheckRow> effectRows(const Scene& scene);
+
+/// The same, its time scales, the margins of its steps, velocities and sizes; and
 /// the time a run will take, measured by running the scene for a moment.
 std::vector<CheckRow> checkReport(const Scene& scene);
 

@@ -1,16 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "app/commands.h"
-#include "render/plot.h"
-#include "replay/csv.h"
+#include "app/curves.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/core.h>
 
-#include <algorithm>
-#include <cmath>
 #include <memory>
-
-namespace fs = std::filesystem;
 
 namespace bedmix {
 
@@ -20,44 +15,8 @@ struct PlotOptions {
   std::vector<std::string> runs;
   std::string output;
   std::string kind{plotKinds().front().name};
+  bool band = false;
 };
-
-/// The name of a run for a legend: that of its folder.
-std::string runName(const std::string& run) { return fs::weakly_canonical(run).filename().string(); }
-
-std::vector<double> numbers(const Table::Column& column) {
-  std::vector<double> values;
-  values.reserve(column.size());
-  for (const auto& v : column) values.push_back(v.value_or(std::nan("")));
-  return values;
-}
-
-Result<std::vector<Curve>> curvesOf(const std::string& run, const PlotKind& kind, bool several) {
-  const fs::path file = fs::path(run) / kind.file;
-  std::error_code none;
-  if (!fs::exists(file, none))
-    return Diagnostic{{run},
-                      fmt::format("this folder has no {}: either it is no run's, or the run's scene has no "
-                                  "effect that gives one",
-                                  kind.file),
-                      Trouble::file};
-  const auto table = readCsv(file);
-  if (!table) return table.problems;
-  const Table::Column* time = table->find("time");
-  std::vector<Curve> curves;
-  for (const PlotColumn& column : kind.columns) {
-    const Table::Column* values = table->find(column.name);
-    if (!time || !values)
-      return Diagnostic{{file.string()},
-                        fmt::format("lacks the column \"{}\"", time ? column.name : "time"),
-                        Trouble::file};
-    const std::string label(column.label);
-    const bool oneColumn = kind.columns.size() == 1;
-    curves.push_back({several ? (oneColumn ? runName(run) : runName(run) + ", " + label) : label,
-                      numbers(*time), numbers(*values)});
-  }
-  return curves;
-}
 
 ExitCode plot(const PlotOptions& options, const Console& console) {
   auto kind = findPlotKind(options.kind);
@@ -65,15 +24,11 @@ ExitCode plot(const PlotOptions& options, const Console& console) {
     for (Diagnostic& d : kind.problems) d.at.file = "--kind";
     return console.fail(kind.problems);
   }
-  std::vector<Curve> curves;
-  for (const std::string& run : options.runs) {
-    auto ofRun = curvesOf(run, **kind, options.runs.size() > 1);
-    if (!ofRun) return console.fail(ofRun.problems);
-    std::move(ofRun->begin(), ofRun->end(), std::back_inserter(curves));
-  }
-  const auto written = writePlot(options.output, **kind, curves);
+  const auto curves = options.band ? ensembleCurves(options.runs, **kind) : curvesOf(options.runs, **kind);
+  if (!curves) return console.fail(curves.problems);
+  const auto written = writePlot(options.output, **kind, *curves, levelsOf(options.runs, **kind));
   if (!written) return console.fail(written.problems);
-  console.say(fmt::format("{}: {} curves", options.output, curves.size()));
+  console.say(fmt::format("{0}: {1} curves; beside it {0}.csv and {0}.gp", options.output, curves->size()));
   return ExitCode::done;
 }
 
@@ -85,7 +40,11 @@ void addPlotCommand(CLI::App& program, CommandContext context) {
   command->add_option("runs", options->runs, "Folders with a run's series, also those that replay wrote")
       ->required()
       ->type_name("RUN...");
-  command->add_option("-o,--output", options->output, "A .png, .svg or .pdf file")
+  command
+      ->add_option(
+          "-o,--output", options->output,
+          "A .png, .svg or .pdf file, 88 mm wide; FILE.csv and FILE.gp, what it draws and the gnuplot "
+          "script, are put beside it")
       ->required()
       ->type_name("FILE");
   std::string names;
@@ -93,9 +52,12 @@ void addPlotCommand(CLI::App& program, CommandContext context) {
   command->add_option("--kind", options->kind, "What to plot: " + names)
       ->type_name("KIND")
       ->capture_default_str();
+  command->add_flag("--band", options->band,
+                    "Runs of one scene that differ in the seed as their median and a band from 10 to 90 %");
   command->footer(
       "Examples:\n  bedmix plot out/even -o mixing.png\n"
-      "  bedmix plot out/even out/inclined -o compare.pdf --kind compare");
+      "  bedmix plot out/even out/inclined -o compare.pdf --kind compare\n"
+      "  bedmix plot out/even-* out/inclined-* -o ensembles.svg --kind compare --band");
   command->callback([options, context] { context.outcome = plot(*options, context.console); });
 }
 

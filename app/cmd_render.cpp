@@ -10,6 +10,7 @@
 #include <CLI/CLI.hpp>
 #include <fmt/core.h>
 
+#include <array>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -23,7 +24,7 @@ namespace {
 constexpr double defaultRate = 50.0;  // pictures a second
 
 struct RenderOptions {
-  std::string run;
+  std::vector<std::string> runs;
   std::string output;
   std::optional<double> time;  // s
   std::optional<double> fps, speed;
@@ -64,19 +65,32 @@ std::vector<Diagnostic> misplaced(const RenderOptions& options, Output output) {
   return problems;
 }
 
+/// Index of the frame that a run shows at a time, by default its last.
+Result<std::vector<std::size_t>> framesShownAt(const RecordedRun& run, std::optional<double> time) {
+  auto found = framesAt(run.reader.times(), std::array{time.value_or(run.end())});
+  if (!found)
+    for (Diagnostic& d : found.problems) d.at.file = "--time";
+  return found;
+}
+
 ExitCode render(const RenderOptions& options, const Console& console) {
   const auto output = outputOf(options.output);
   if (!output) return console.fail(output.problems);
   if (const auto problems = misplaced(options, *output); !problems.empty()) return console.fail(problems);
-  auto reader = TrajectoryReader::open(options.run);
-  if (!reader) return console.fail(reader.problems);
-  const auto paint = paintOptions(options.picture, reader->scene());
-  if (!paint) return console.fail(paint.problems);
-  const auto selected = selectFrames(reader->times(), options.frames);
-  if (!selected) return console.fail(selected.problems);
-  const RenderJob job{*reader, options.output, *selected, *paint, console};
-  if (*output == Output::picture) return renderPicture(job, options.time);
+  auto runs = openRuns(options.runs);
+  if (!runs) return console.fail(runs.problems);
+  RenderJob job{*runs, {}, options.output, {}, console};
+  for (const RecordedRun& run : *runs) {
+    const auto paint = paintOptions(options.picture, run.scene());
+    if (!paint) return console.fail(paint.problems);
+    if (job.selected.empty()) job.paint = *paint;
+    auto selected = *output == Output::picture ? framesShownAt(run, options.time)
+                                               : selectFrames(run.reader.times(), options.frames);
+    if (!selected) return console.fail(selected.problems);
+    job.selected.push_back(std::move(*selected));
+  }
   catchInterrupts();
+  if (*output == Output::picture) return renderPicture(job);
   return *output == Output::folder
              ? renderFolder(job, options.force)
              : renderFilm(job, options.fps.value_or(defaultRate), options.speed.value_or(1.0));
@@ -86,11 +100,13 @@ ExitCode render(const RenderOptions& options, const Console& console) {
 
 void addRenderCommand(CLI::App& program, CommandContext context) {
   CLI::App* command =
-      program.add_subcommand("render", "Draw a recorded run: a film, one picture or a folder of frames");
+      program.add_subcommand("render", "Draw recorded runs: a film, one picture or a folder of frames");
   auto options = std::make_shared<RenderOptions>();
-  command->add_option("run", options->run, "Folder of a run, or its trajectory.h5")
+  command
+      ->add_option("runs", options->runs,
+                   "Folders of runs, or their trajectory.h5; several are drawn side by side")
       ->required()
-      ->type_name("RUN");
+      ->type_name("RUN...");
   command
       ->add_option("-o,--output", options->output,
                    "FILE.mp4, .gif or .mkv (lossless) for a film, FILE.png for one picture, a folder for "
@@ -112,6 +128,7 @@ void addRenderCommand(CLI::App& program, CommandContext context) {
   command->footer(
       "Examples:\n"
       "  bedmix render out/even -o even.mp4 --speed 0.5\n"
+      "  bedmix render out/even out/inclined -o both.mp4 --layers particles,walls,hud,curve --size 1280x720\n"
       "  bedmix render out/even -o even.gif --size 320x560 --fps 20 --to 2\n"
       "  bedmix render out/even -o even-1s.png --time 1 --layers particles,velocity,sampling,walls,hud");
   command->callback([options, context] { context.outcome = render(*options, context.console); });

@@ -22,6 +22,7 @@ void addReplayCommand(CLI::App& program, CommandContext context);
 void addRenderCommand(CLI::App& program, CommandContext context);
 void addSheetCommand(CLI::App& program, CommandContext context);
 void addPlotCommand(CLI::App& program, CommandContext context);
+void addReportCommand(CLI::App& program, CommandContext context);
 void addAccuracyCommand(CLI::App& program, CommandContext context);
 void addCheckCommand(CLI::App& program, CommandContext context);
 void addScenesCommand(CLI::App& program, CommandContext context);

@@ -65,6 +65,7 @@ int run(int argc, char** argv) {
   addRenderCommand(program, context);
   addSheetCommand(program, context);
   addPlotCommand(program, context);
+  addReportCommand(program, context);
   addAccuracyCommand(program, context);
   addCheckCommand(program, context);
   addScenesCommand(program, context);

@@ -16,8 +16,8 @@ inline PngText pngText(const Scene& scene) {
           {"Software", fmt::format("bedmix {} ({})", programVersion, programCommit)},
           {"Source", fmt::format("scene {}, seed {}", scene.name, scene.seed)}};
 }
-inline PngText pngText(const Scene& scene, const Frame& frame) {
-  auto text = pngText(scene);
+/// The same of one frame.
+inline PngText withFrame(PngText text, const Frame& frame) {
   text.emplace_back("Description", fmt::format("step {}, {} s", frame.step, frame.time));
   return text;
 }

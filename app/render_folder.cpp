@@ -11,37 +11,42 @@
 namespace bedmix {
 
 ExitCode renderFolder(const RenderJob& job, bool force) {
-  const Scene& scene = job.reader.scene();
-  const std::size_t total = job.selected.size();
-  auto painter = Painter::create(scene, job.paint);
+  const std::size_t total = job.selected.front().size();
+  auto painter = Painter::create(job.beds(), job.paint);
   if (!painter) return job.console.fail(painter.problems);
   auto folder = FrameFolder::open(job.output, total, force);
   if (!folder) return job.console.fail(folder.problems);
 
   PictureWorkers writers(availableCores());
   PictureProgress progress(job.console, static_cast<std::int64_t>(total));
+  LastFrames last(job.runs.size());
+  const PngText source = pngText(job.runs);
   std::size_t number = 0, kept = 0;
-  const auto drawn = forFrames(job, [&](const Frame& frame) -> Result<Done> {
-    const std::size_t n = number++;
-    PngOptions png{.text = pngText(scene, frame), .dpi = {}};
-    const auto there = folder->holds(n, painter->size(), png.text);
-    if (!there) return there.problems;
-    if (*there) ++kept;
-    if (!*there || folder->besideGap(n)) {
-      Image& image = writers.next();
-      if (auto painted = painter->paint(frame, image); !painted) return painted;
-      if (*there) {
-        if (auto same = folder->expect(n, image); !same) return same;
-      } else {
-        writers.submit([file = folder->file(n), png = std::move(png)](const Image& picture) {
-          return writePng(file, picture, png);
-        });
-      }
-    }
-    if (writers.failed()) return writers.finish();
-    progress.show(static_cast<std::int64_t>(number), static_cast<std::int64_t>(kept));
-    return Done{};
-  });
+  const auto drawn =
+      forFrames(job, [&](std::size_t bed, const Frame& frame, bool isSelected) -> Result<Done> {
+        painter->observe(bed, frame);
+        last.keep(bed, frame);
+        if (bed > 0 || !isSelected) return Done{};
+        const std::size_t n = number++;
+        PngOptions png{.text = withFrame(source, frame), .dpi = {}};
+        const auto there = folder->holds(n, painter->size(), png.text);
+        if (!there) return there.problems;
+        if (*there) ++kept;
+        if (!*there || folder->besideGap(n)) {
+          Image& image = writers.next();
+          if (auto painted = painter->paint(last.frames(), image); !painted) return painted;
+          if (*there) {
+            if (auto same = folder->expect(n, image); !same) return same;
+          } else {
+            writers.submit([file = folder->file(n), png = std::move(png)](const Image& picture) {
+              return writePng(file, picture, png);
+            });
+          }
+        }
+        if (writers.failed()) return writers.finish();
+        progress.show(static_cast<std::int64_t>(number), static_cast<std::int64_t>(kept));
+        return Done{};
+      });
   const auto written = writers.finish();
   if (!drawn) return job.console.fail(drawn.problems);
   if (!written) return job.console.fail(written.problems);

@@ -18,17 +18,6 @@ Diagnostic trouble(const fs::path& path, const std::string& message) {
   return {{path.string()}, message, Trouble::file};
 }
 
-Result<RunFolder> makeFolder(const fs::path& path) {
-  std::error_code error;
-  if (fs::exists(path, error) && !fs::is_directory(path, error))
-    return trouble(path, "is a file; give a folder with -o");
-  fs::create_directories(path, error);
-  if (error) return trouble(path, fmt::format("cannot make this folder: {}", error.message()));
-  if (access(path.c_str(), W_OK | X_OK) != 0)
-    return trouble(path, "cannot write into this folder; change its permissions or give another with -o");
-  return RunFolder{path};
-}
-
 /// The folder itself is locked: nothing is left behind, whatever ends the program. Where a file system has no
 /// locks, the trajectory's own is all there is.
 Result<RunFolder> claim(RunFolder folder) {
@@ -42,6 +31,17 @@ Result<RunFolder> claim(RunFolder folder) {
 }
 
 }  // namespace
+
+Result<RunFolder> makeFolder(const fs::path& path) {
+  std::error_code error;
+  if (fs::exists(path, error) && !fs::is_directory(path, error))
+    return trouble(path, "is a file; give a folder with -o");
+  fs::create_directories(path, error);
+  if (error) return trouble(path, fmt::format("cannot make this folder: {}", error.message()));
+  if (access(path.c_str(), W_OK | X_OK) != 0)
+    return trouble(path, "cannot write into this folder; change its permissions or give another with -o");
+  return RunFolder{path};
+}
 
 Result<RunFolder> claimRunFolder(const fs::path& path) {
   std::error_code none;

@@ -22,6 +22,9 @@ struct RunFolder {
   std::filesystem::path video() const { return path / "video.mp4"; }
 };
 
+/// Makes a folder to write into; one that is there is taken with what it holds.
+Result<RunFolder> makeFolder(const std::filesystem::path& path);
+
 /// Makes the folder of a new run. One that holds anything is refused, unless `force`: then the files of an
 /// earlier run are removed from it and all others are left alone. Fails, too, where another program writes a
 /// run into it.

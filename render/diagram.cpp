@@ -119,7 +119,7 @@ Result<Done> writeDiagram(const std::filesystem::path& path, std::span<const Dia
   const int rows = (static_cast<int>(panels.size()) + columns - 1) / columns;
   std::string text = fmt::format("set multiplot layout {},{}\n", rows, columns);
   for (std::size_t p = 0; p < panels.size(); ++p) addPanel(text, panels[p], p);
-  return drawWithGnuplot(path, text + "unset multiplot", columns, rows);
+  return drawWithGnuplot(path, text + "unset multiplot", {127.0 * columns, 76.2 * rows});
 }
 
 }  // namespace bedmix

@@ -144,8 +144,7 @@ void drawScaleBar(DrawList& list, const Scene& scene, const Camera& camera, Vec2
 
 ColorRange colorRange(const Scene& scene, Layer layer) {
   if (layer == Layer::voidage) return {0.4, 1.0};
-  const double weight = static_cast<double>(scene.particles.count) * particleMass(scene) * scene.gravity /
-                        (scene.bed.width * scene.bed.thickness);
+  const double weight = bedWeight(scene);
   return {0.0, weight > 0.0 ? 2.0 * roundDown(weight) : 1.0};
 }
 

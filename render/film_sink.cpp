@@ -2,6 +2,7 @@
 #include "render/film_sink.h"
 
 #include "render/film_kind.h"
+#include "render/last_frames.h"
 #include "render/picture_workers.h"
 
 #include <fmt/format.h>
@@ -27,10 +28,9 @@ struct FilmSink::State {
   std::string file;  // for messages
   Painter painter;
   std::unique_ptr<PictureWriter> film;
-  PictureWorkers encoder{1};        // ends before the film it writes to
-  std::vector<Frame> last;          // seen of each bed, and shown until the next one's time
-  std::vector<const Frame*> shown;  // those; null where none was seen
-  double now = 0.0;                 // s, time of the newest of them
+  PictureWorkers encoder{1};  // ends before the film it writes to
+  LastFrames last;            // shown until the time of the next one
+  double now = 0.0;           // s, time of the newest of them
   std::int64_t pictures = 0;
   std::vector<Diagnostic> problems;
 
@@ -39,10 +39,7 @@ struct FilmSink::State {
         file(std::move(name)),
         painter(std::move(p)),
         film(std::move(writer)),
-        last(painter.beds()),
-        shown(painter.beds()) {}
-
-  bool isComplete() const { return std::find(shown.begin(), shown.end(), nullptr) == shown.end(); }
+        last(painter.beds()) {}
 
   double filmTime() const {
     return options.from + static_cast<double>(pictures) * options.speed / options.fps;
@@ -52,11 +49,11 @@ struct FilmSink::State {
 };
 
 void FilmSink::State::showUntil(double time) {
-  if (!isComplete() || !problems.empty() || encoder.failed()) return;
+  if (!last.areComplete() || !problems.empty() || encoder.failed()) return;
   const std::int64_t before = pictures;
   while (filmTime() <= std::min(time, options.to + rounding)) ++pictures;
   if (pictures == before) return;
-  if (Result<Done> done = painter.paint(shown, encoder.next()); !done) {
+  if (Result<Done> done = painter.paint(last.frames(), encoder.next()); !done) {
     problems = done.problems;
     return;
   }
@@ -93,8 +90,7 @@ void FilmSink::accept(std::size_t bed, const Frame& frame) {
   State& s = *state_;
   s.showUntil(frame.time - rounding);
   s.painter.observe(bed, frame);
-  s.last[bed] = frame;
-  s.shown[bed] = &s.last[bed];
+  s.last.keep(bed, frame);
   s.now = frame.time;
 }
 

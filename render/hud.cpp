@@ -6,6 +6,7 @@
 #include <bit>
 #include <cmath>
 #include <filesystem>
+#include <limits>
 #include <mutex>
 
 namespace bedmix {
@@ -79,6 +80,13 @@ Hud::Hud(Hud&&) noexcept = default;
 Hud& Hud::operator=(Hud&&) noexcept = default;
 
 const GlyphSheet& Hud::glyphs() const { return state_->glyphs; }
+
+float Hud::width(const std::string& text) const {
+  const std::lock_guard lock(imguiMutex());
+  ImGui::SetCurrentContext(state_->context);
+  const ImFont& font = *ImGui::GetIO().Fonts->Fonts[0];
+  return font.CalcTextSizeA(font.FontSize, std::numeric_limits<float>::max(), 0.0f, text.c_str()).x;
+}
 
 const UiMesh& Hud::mesh(Size picture, std::span<const Text> texts) {
   const std::lock_guard lock(imguiMutex());

@@ -6,6 +6,7 @@
 
 #include <memory>
 #include <span>
+#include <string>
 
 namespace bedmix {
 
@@ -20,6 +21,8 @@ class Hud {
   Hud& operator=(Hud&&) noexcept;
 
   const GlyphSheet& glyphs() const;
+  /// How wide a text is, px.
+  float width(const std::string& text) const;
   /// Valid until the next call.
   const UiMesh& mesh(Size picture, std::span<const Text> texts);
 

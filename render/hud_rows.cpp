@@ -127,6 +127,10 @@ void drawHud(DrawList& list, const Scene& scene, const Frame& frame, Layers laye
   }
 }
 
+void drawLegend(DrawList& list, const Scene& scene, Layers layers, const Camera& camera, Vec2f at, float em) {
+  drawLegend({list, at, em}, scene, layers, camera, em);
+}
+
 std::string timeLabel(double time, int decimals) { return fmt::format("t = {:.{}f} s", time, decimals); }
 
 int timeDecimals(std::span<const double> times) {

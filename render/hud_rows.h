@@ -25,6 +25,9 @@ inline constexpr float hudLine = 1.35f;  // em, distance of rows
 void drawHud(DrawList& list, const Scene& scene, const Frame& frame, Layers layers, const Layout& layout,
              const std::string& name = "");
 
+/// Appends the legend alone, its upper left corner at `at`: as many rows as hudRowCount() says.
+void drawLegend(DrawList& list, const Scene& scene, Layers layers, const Camera& camera, Vec2f at, float em);
+
 /// "t = 0.50 s" with this many decimals.
 std::string timeLabel(double time, int decimals);
 /// Fewest decimals, at least one, that write each of the times in full.

@@ -58,6 +58,9 @@ class Painter {
 
 /// A picture that fits the beds, their HUDs and the chart of a style; both numbers even.
 Size defaultSize(std::span<const Scene> scenes, const Style& style);
+inline Size defaultSize(const Scene& scene, const Style& style = {}) {
+  return defaultSize(std::span(&scene, 1), style);
+}
 
 /// Reads "1280x720"; each between 16 and 16384, the limits of the rasterizer.
 Result<Size> parseSize(std::string_view text);

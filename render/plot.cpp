@@ -14,42 +14,117 @@ namespace bedmix {
 
 namespace {
 
+constexpr PrintSize column{88.0, 55.0, 600.0};
+constexpr double legendLine = 5.0;       // mm
+constexpr std::size_t legendWidth = 52;  // characters, signs and spaces counted as 8
+
 constexpr std::array mixingColumns{PlotColumn{"lacey", "Lacey"}, PlotColumn{"ashton", "Ashton"}};
 constexpr std::array compareColumns{PlotColumn{"ashton", "Ashton"}};
 constexpr std::array fluxColumns{PlotColumn{"flux", "solids flux"}};
 constexpr std::array pressureColumns{PlotColumn{"pressure_drop", "pressure drop"}};
 
 const std::array kinds{
-    PlotKind{"mixing", "mixing.csv", mixingColumns, "mixing index", 0.0, 1.4},
-    PlotKind{"compare", "mixing.csv", compareColumns, "Ashton index", 0.0, 1.4},
+    PlotKind{"mixing", "mixing.csv", mixingColumns, "mixing index", 0.0, 1.2},
+    PlotKind{"compare", "mixing.csv", compareColumns, "Ashton index", 0.0, 1.2},
     PlotKind{"flux", "flux.csv", fluxColumns, "solids flux leftward, kg/(m\u00b2 s)"},
     PlotKind{"pressure", "pressure.csv", pressureColumns, "pressure drop, Pa"},
 };
 
-std::string commandsFor(const PlotKind& kind, std::span<const Curve> curves) {
-  std::string text;
-  auto out = std::back_inserter(text);
-  for (std::size_t i = 0; i < curves.size(); ++i) {
-    fmt::format_to(out, "$curve{} << END\n", i);
-    const Curve& c = curves[i];
-    for (std::size_t k = 0; k < std::min(c.x.size(), c.y.size()); ++k) {
-      if (std::isfinite(c.y[k]))
-        fmt::format_to(out, "{} {}\n", c.x[k], c.y[k]);
-      else
-        text += "\n";  // an empty line interrupts a curve
-    }
-    text += "END\n";
+/// As a field of a table, quoted where it has to be.
+std::string field(const std::string& text) {
+  if (text.find_first_of(",\"\n") == std::string::npos) return text;
+  std::string quoted = "\"";
+  for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
+  return quoted + "\"";
+}
+
+/// Adds the curve's columns at row `k`: a number, "nan" for a gap. Nothing at all where the curve has no
+/// sample, which gnuplot passes over.
+void addFields(std::string& text, const Curve& c, std::optional<std::size_t> k) {
+  const auto add = [&](const std::vector<double>& values) {
+    text += ',';
+    if (!k) return;
+    if (std::isfinite(values[*k]))
+      fmt::format_to(std::back_inserter(text), "{}", values[*k]);
+    else
+      text += "nan";
+  };
+  add(c.y);
+  if (c.hasBand()) {
+    add(c.low);
+    add(c.high);
   }
+}
+
+/// One row a time at which any of the curves has a sample.
+std::string tableOf(std::span<const Curve> curves) {
+  std::string text = "time";
+  std::vector<double> times;
+  for (const Curve& c : curves) {
+    text += ',' + field(c.label);
+    if (c.hasBand()) text += ',' + field(c.label + " low") + ',' + field(c.label + " high");
+    times.insert(times.end(), c.x.begin(), c.x.end());
+  }
+  std::sort(times.begin(), times.end());
+  times.erase(std::unique(times.begin(), times.end()), times.end());
+  std::vector<std::size_t> next(curves.size());
+  for (const double time : times) {
+    fmt::format_to(std::back_inserter(text), "\n{}", time);
+    for (std::size_t i = 0; i < curves.size(); ++i) {
+      const bool sampled = next[i] < curves[i].x.size() && curves[i].x[next[i]] == time;
+      addFields(text, curves[i], sampled ? std::optional(next[i]++) : std::nullopt);
+    }
+  }
+  return text + '\n';
+}
+
+/// Whether all the labels fit in one row above the curves.
+bool isShortLegend(std::span<const Curve> curves, std::span<const Level> levels) {
+  std::size_t width = 0;
+  for (const Curve& c : curves) width += c.label.size() + 8;
+  for (const Level& l : levels) width += l.label.size() + 8;
+  return width <= legendWidth;
+}
+
+std::string commandsFor(const PlotKind& kind, std::span<const Curve> curves, std::span<const Level> levels) {
+  std::string text = "set datafile separator comma\n";
+  const auto out = std::back_inserter(text);
   fmt::format_to(out, "set xlabel 't, s'\nset ylabel {}\nset xrange [0:*]\nset yrange [* < {} : {} < *]\n",
                  plotText(kind.yLabel), kind.yMin, kind.yMax);
   text += plotFrame;
-  text += curves.size() > 1 ? "set key outside top center horizontal Left reverse\n" : "unset key\n";
-  for (std::size_t i = 0; i < curves.size(); ++i)
-    fmt::format_to(out,
-                   "{} $curve{} using 1:2 with lines linewidth 1 dashtype {} linecolor rgb '{}' title {}",
-                   i == 0 ? "plot" : ",", i, i / plotColors.size() + 1, plotColors[i % plotColors.size()],
-                   plotText(curves[i].label));
-  return text;
+  if (curves.size() + levels.size() == 1)
+    text += "unset key\n";
+  else if (isShortLegend(curves, levels))
+    text += "set key outside top center horizontal Left reverse samplen 2\n";
+  else
+    text += "set key outside top left vertical Left reverse samplen 2 maxcols 1\n";
+
+  std::string bands, lines;
+  std::size_t at = 2;  // column of the table
+  for (std::size_t i = 0; i < curves.size(); ++i) {
+    const char* const color = plotColors[i % plotColors.size()];
+    if (curves[i].hasBand())
+      bands += fmt::format(
+          "  data skip 1 using 1:{}:{} with filledcurves fillcolor rgb '{}' fillstyle transparent solid 0.25 "
+          "noborder notitle, \\\n",
+          at + 1, at + 2, color);
+    lines += fmt::format(
+        "  data skip 1 using 1:{} with lines linewidth 1 dashtype {} linecolor rgb '{}' title {}, \\\n", at,
+        i / plotColors.size() + 1, color, plotText(curves[i].label));
+    at += curves[i].hasBand() ? 3 : 1;
+  }
+  for (const Level& level : levels)
+    lines += fmt::format("  {} with lines linewidth 1 dashtype 3 linecolor rgb '#606060' title {}, \\\n",
+                         level.y, plotText(level.label));
+  return text + "plot \\\n" + bands + lines.substr(0, lines.rfind(','));
+}
+
+/// A tall legend does not press the curves.
+PrintSize sizeFor(std::span<const Curve> curves, std::span<const Level> levels) {
+  PrintSize size = column;
+  if (!isShortLegend(curves, levels))
+    size.height += legendLine * static_cast<double>(curves.size() + levels.size());
+  return size;
 }
 
 }  // namespace
@@ -66,15 +141,14 @@ Result<const PlotKind*> findPlotKind(std::string_view name) {
   return Diagnostic{{}, fmt::format("there is no kind of plot '{}'; the kinds are {}", name, known)};
 }
 
-Result<Done> writePlot(const std::filesystem::path& path, const PlotKind& kind,
-                       std::span<const Curve> curves) {
+Result<Done> writePlot(const std::filesystem::path& path, const PlotKind& kind, std::span<const Curve> curves,
+                       std::span<const Level> levels) {
   const bool drawable = std::any_of(curves.begin(), curves.end(), [](const Curve& c) {
     return std::any_of(c.y.begin(), c.y.end(), [](double y) { return std::isfinite(y); });
   });
   if (!drawable)
     return Diagnostic{{path.string()}, "there is no value to plot; is the run shorter than a sample?"};
-
-  return drawWithGnuplot(path, commandsFor(kind, curves));
+  return drawTable(path, commandsFor(kind, curves, levels), tableOf(curves), sizeFor(curves, levels));
 }
 
 }  // namespace bedmix

@@ -4,7 +4,6 @@
 #include "engine/core/diagnostic.h"
 
 #include <filesystem>
-#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -30,16 +29,27 @@ struct PlotKind {
 std::span<const PlotKind> plotKinds();
 Result<const PlotKind*> findPlotKind(std::string_view name);
 
-/// y over time x, s; NaN in y leaves a gap.
+/// y over time x, s, of one length; NaN in y leaves a gap. With a band, `low` and `high` are of
+/// that length, too.
 struct Curve {
   std::string label;
   std::vector<double> x;
   std::vector<double> y;
+  std::vector<double> low, high;
+
+  bool hasBand() const { return !low.empty(); }
 };
 
-/// Draws curves with gnuplot into a .png, .svg or .pdf file, which gets its name when it is complete. Fails
-/// as `unavailable` without gnuplot. The same curves give the same bytes.
-Result<Done> writePlot(const std::filesystem::path& path, const PlotKind& kind,
-                       std::span<const Curve> curves);
+/// A height the curves are to be seen against.
+struct Level {
+  double y = 0.0;
+  std::string label;
+};
+
+/// Draws curves with gnuplot into a .png, .svg or .pdf file for a column of a journal, 88 mm wide (.png at
+/// 600 dpi), and leaves what it draws beside it: `path`.csv, a column a curve and "nan" where it has a gap,
+/// and `path`.gp, the script. Fails as `unavailable` without gnuplot. The same curves give the same bytes.
+Result<Done> writePlot(const std::filesystem::path& path, const PlotKind& kind, std::span<const Curve> curves,
+                       std::span<const Level> levels = {});
 
 }  // namespace bedmix

@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace bedmix {
 
@@ -22,86 +23,140 @@ constexpr float widestPanel = 420.0f;  // 36 mm: few panels do not fill the page
 constexpr float em = 33.0f;            // 8 pt
 constexpr float margin = 0.7f;         // em, around the sheet
 constexpr float gap = 1.2f;            // em, between panels at least
+constexpr float titleBand = 1.9f;      // em, above the panels of a run that has a title
 constexpr float labelBand = 1.5f;      // em, above a panel
 constexpr float scaleBarBand = 1.6f;   // em, below the last row
+constexpr float legendWidth = 13.0f;   // em
 constexpr std::size_t longestRow = 9;
+constexpr float inner = pageWidth - 2.0f * margin * em;
 
-/// The height all panels show, m: a diameter more than the highest particle; what is thrown far above the bed
-/// is cut.
-double shownHeight(const Scene& scene, std::span<const FramePtr> frames) {
+/// The height the panels of a run show, m: a diameter more than the highest particle; what is thrown far
+/// above the bed is cut.
+double shownHeight(const SheetRun& run) {
   float highest = 0.0f;
-  for (const FramePtr& frame : frames)
+  for (const FramePtr& frame : run.frames)
     for (const Vec2f& p : frame->position) highest = std::max(highest, p.y);
-  return std::min(static_cast<double>(highest) + 1.5 * scene.particles.diameter, 1.5 * scene.bed.height);
+  return std::min(static_cast<double>(highest) + 1.5 * run.scene->particles.diameter,
+                  1.5 * run.scene->bed.height);
 }
 
-/// Where the panels go, all with the same camera but for its place.
+/// Where the panels of a run go, all with the same camera but for its place.
 struct Grid {
   std::size_t columns = 0, rows = 0;
-  float scale = 0.0f;  // px per m
+  float top = 0.0f;  // px, of the run's part of the sheet
+  float width = 0.0f, bottom = 0.0f;
   float columnStep = 0.0f, rowStep = 0.0f;
   Vec2f first;  // px, lower left corner of the first bed
   Vec2f bed;    // px, width and height of the part that is shown
-  Size size;
+
+  explicit Grid(std::size_t panels)
+      : columns((panels + rowsOf(panels) - 1) / rowsOf(panels)), rows(rowsOf(panels)) {}
+  static std::size_t rowsOf(std::size_t panels) { return (panels + longestRow - 1) / longestRow; }
+
+  /// px between the beds of a row.
+  float gaps() const { return static_cast<float>(columns - 1) * gap * em; }
 
   /// Lower left corner of a bed.
   Vec2f corner(std::size_t panel) const {
     const std::size_t row = panel / columns, column = panel % columns;
     return first + Vec2f{static_cast<float>(column) * columnStep, static_cast<float>(row) * rowStep};
   }
+
+  /// What a panel may draw on: the bed, its walls and what is below it.
+  Box box(std::size_t panel) const {
+    const Vec2f at = corner(panel);
+    const float side = 0.5f * gap * em, above = at.y - bed.y;
+    return {at.x - side, above, at.x + bed.x + side, above + rowStep - labelBand * em};
+  }
 };
 
-/// What a panel may draw on: the bed, its walls and what is below it.
-Box panelBox(const Grid& grid, std::size_t panel) {
-  const Vec2f corner = grid.corner(panel);
-  const float side = 0.5f * gap * em, top = corner.y - grid.bed.y;
-  return {corner.x - side, top, corner.x + grid.bed.x + side, top + grid.rowStep - labelBand * em};
+struct Page {
+  std::vector<Grid> runs;
+  float scale = 0.0f;  // px per m
+  int legendRows = 0;
+  Size size;
+};
+
+/// Rows of the legend; none where a caption says it as well.
+int legendRows(const Scene& scene, Layers layers) {
+  const int rows = hudRowCount(scene, layers).legend;
+  return rows > hudRowCount(scene, {Layer::particles}).legend ? rows : 0;
 }
 
-Grid arrange(const Scene& scene, std::size_t panels, double height, Layers layers) {
-  Grid grid;
-  grid.rows = (panels + longestRow - 1) / longestRow;
-  grid.columns = (panels + grid.rows - 1) / grid.rows;
-  const float columns = static_cast<float>(grid.columns), rows = static_cast<float>(grid.rows);
-  const float inner = pageWidth - 2.0f * margin * em;
-  const float panel = std::min((inner - (columns - 1.0f) * gap * em) / columns, widestPanel);
-  const float below = layers.has(Layer::walls) ? inletArrowHeight(scene, em) : 0.0f;
-  grid.scale = panel / static_cast<float>(scene.bed.width);
-  grid.bed = {panel, grid.scale * static_cast<float>(height)};
-  grid.columnStep = panel + gap * em;
-  grid.rowStep = labelBand * em + grid.bed.y + below + 0.5f * em;
-  grid.first = {margin * em, margin * em + labelBand * em + grid.bed.y};
-  grid.size = {
-      static_cast<int>(std::ceil(2.0f * margin * em + columns * panel + (columns - 1.0f) * gap * em)),
-      static_cast<int>(std::ceil(margin * em + rows * grid.rowStep + scaleBarBand * em))};
-  return grid;
+Page arrange(std::span<const SheetRun> runs, Layers layers, const Hud& hud) {
+  Page page;
+  page.scale = std::numeric_limits<float>::max();
+  for (const SheetRun& run : runs) {
+    const Grid& grid = page.runs.emplace_back(run.frames.size());
+    const float panel = std::min((inner - grid.gaps()) / static_cast<float>(grid.columns), widestPanel);
+    page.scale = std::min(page.scale, panel / static_cast<float>(run.scene->bed.width));
+  }
+  float top = margin * em, width = 0.0f;
+  for (std::size_t i = 0; i < runs.size(); ++i) {
+    const Scene& scene = *runs[i].scene;
+    Grid& grid = page.runs[i];
+    const float below = layers.has(Layer::walls) ? inletArrowHeight(scene, em) : 0.0f;
+    grid.bed = {page.scale * static_cast<float>(scene.bed.width),
+                page.scale * static_cast<float>(shownHeight(runs[i]))};
+    grid.columnStep = grid.bed.x + gap * em;
+    grid.rowStep = labelBand * em + grid.bed.y + below + 0.5f * em;
+    grid.top = top;
+    if (!runs[i].title.empty()) top += titleBand * em;
+    grid.first = {margin * em, top + labelBand * em + grid.bed.y};
+    top += static_cast<float>(grid.rows) * grid.rowStep;
+    width = std::max({width, static_cast<float>(grid.columns) * grid.bed.x + grid.gaps(),
+                      std::min(hud.width(runs[i].title), inner)});
+    page.legendRows = std::max(page.legendRows, legendRows(scene, layers));
+  }
+  const float bar = page.legendRows > 0 ? 2.0f * legendWidth * em : 0.0f;
+  const float band = std::max(scaleBarBand, hudLine * static_cast<float>(page.legendRows) + margin);
+  page.size = {static_cast<int>(std::ceil(2.0f * margin * em + std::max(width, std::min(bar, inner)))),
+               static_cast<int>(std::ceil(top + band * em))};
+  return page;
+}
+
+/// As much of a title as fits a page.
+std::string fitting(std::string title, const Hud& hud) {
+  if (hud.width(title) <= inner) return title;
+  while (!title.empty() && hud.width(title + "...") > inner) {
+    do title.pop_back();
+    while (!title.empty() && (static_cast<unsigned char>(title.back()) & 0xC0) == 0x80);  // within UTF-8
+  }
+  return title + "...";
+}
+
+std::vector<Diagnostic> problemsOf(std::span<const SheetRun> runs, const Style& style) {
+  std::vector<Diagnostic> problems;
+  for (const SheetRun& run : runs) {
+    if (run.frames.empty()) problems.push_back({{}, "a sheet needs at least one time"});
+    for (Diagnostic& d : missingFor(*run.scene, style.layers)) problems.push_back(std::move(d));
+    for (const FramePtr& frame : run.frames)
+      if (problems.empty()) problems = missingFor(*run.scene, *frame, style.layers);
+    if (!problems.empty()) break;
+  }
+  return problems;
 }
 
 }  // namespace
 
-FramesAt::FramesAt(std::vector<double> times) : times_(std::move(times)), frames_(times_.size()) {}
-
-void FramesAt::accept(const Frame& frame) {
-  constexpr double rounding = 5e-7;
-  FramePtr kept;
-  for (std::size_t i = 0; i < times_.size(); ++i) {
-    if (frame.time > times_[i] + rounding) continue;
-    if (!kept) kept = std::make_shared<const Frame>(frame);
-    frames_[i] = kept;
-  }
-  if (last_) interval_ = frame.time - *last_;
-  last_ = frame.time;
-}
-
-Result<std::vector<FramePtr>> FramesAt::frames() const {
+Result<std::vector<std::size_t>> framesAt(std::span<const double> times, std::span<const double> wanted) {
+  constexpr double rounding = 5e-7;  // s; times in decimals may lie a bit beside those of the frames
+  const std::size_t count = times.size();
+  const double interval = count > 1 ? times[count - 1] - times[count - 2] : 0.0;
+  std::vector<std::size_t> indices;
   std::vector<Diagnostic> problems;
-  for (std::size_t i = 0; i < times_.size(); ++i)
-    if (!frames_[i] || times_[i] > *last_ + 0.5 * interval_)
+  for (const double time : wanted) {
+    const auto after = std::upper_bound(times.begin(), times.end(), time + rounding);
+    // Written so that a time that is no number is none of the run's.
+    if (after != times.begin() && time <= times.back() + 0.5 * interval + rounding)
+      indices.push_back(static_cast<std::size_t>(after - times.begin()) - 1);
+    else
       problems.push_back({{},
-                          fmt::format("there is no frame at t = {:g} s; the run ends at {:g} s", times_[i],
-                                      last_.value_or(0.0))});
+                          fmt::format("there is no frame at t = {:g} s; the run goes from {:g} to {:g} s",
+                                      time, times.front(), times.back())});
+  }
   if (!problems.empty()) return problems;
-  return frames_;
+  return indices;
 }
 
 std::vector<double> defaultSheetTimes(double duration) {
@@ -115,44 +170,54 @@ std::vector<double> defaultSheetTimes(double duration) {
   return times;
 }
 
-Result<Image> drawSheet(const Scene& scene, std::span<const FramePtr> frames, Layers layers) {
-  if (frames.empty()) return Diagnostic{{}, "a sheet needs at least one time"};
-  std::vector<Diagnostic> problems = missingFor(scene, layers);
-  for (const FramePtr& frame : frames)
-    if (problems.empty()) problems = missingFor(scene, *frame, layers);
-  const Grid grid = arrange(scene, frames.size(), shownHeight(scene, frames), layers);
-  if (problems.empty()) problems = sizeProblems(grid.size);
+Result<Image> drawSheet(std::span<const SheetRun> runs, const Style& style) {
+  if (runs.empty()) return Diagnostic{{}, "a sheet needs at least one run"};
+  Hud hud(em);
+  std::vector<Diagnostic> problems = problemsOf(runs, style);
+  if (!problems.empty()) return problems;
+  const Page page = arrange(runs, style.layers, hud);
+  problems = sizeProblems(page.size);
   if (!problems.empty()) return problems;
   Result<Surface> surface = Surface::create(0);
   if (!surface) return surface.problems;
-  Hud hud(em);
   surface->setGlyphs(hud.glyphs());
 
   std::vector<double> times;
-  for (const FramePtr& frame : frames) times.push_back(frame->time);
+  for (const SheetRun& run : runs)
+    for (const FramePtr& frame : run.frames) times.push_back(frame->time);
   const int decimals = timeDecimals(times);
 
   Image sheet;
-  sheet.resize(grid.size);
+  sheet.resize(page.size);
   surface->begin(sheet, white);
-  std::vector<Text> texts;
+  DrawList all;  // what does not belong to one panel
+  all.clip = {0.0f, 0.0f, static_cast<float>(page.size.width), static_cast<float>(page.size.height)};
   DrawList panel;
-  for (std::size_t i = 0; i < frames.size(); ++i) {
-    panel.clear();
-    panel.clip = panelBox(grid, i);
-    drawBed(panel, scene, *frames[i], {grid.corner(i), grid.scale}, layers, em);
-    surface->draw(panel);
-    texts.push_back({{0.5f * (panel.clip.left + panel.clip.right), panel.clip.top - 0.25f * em},
-                     {0.5f, 1.0f},
-                     ink,
-                     timeLabel(times[i], decimals)});
+  for (std::size_t r = 0; r < runs.size(); ++r) {
+    const Grid& grid = page.runs[r];
+    for (std::size_t i = 0; i < runs[r].frames.size(); ++i) {
+      panel.clear();
+      panel.clip = grid.box(i);
+      drawBed(panel, *runs[r].scene, *runs[r].frames[i], {grid.corner(i), page.scale}, style, em);
+      surface->draw(panel);
+      all.texts.insert(all.texts.end(), panel.texts.begin(), panel.texts.end());
+      all.texts.push_back({{0.5f * (panel.clip.left + panel.clip.right), panel.clip.top - 0.25f * em},
+                           {0.5f, 1.0f},
+                           ink,
+                           timeLabel(runs[r].frames[i]->time, decimals)});
+    }
+    if (!runs[r].title.empty())
+      all.texts.push_back({{grid.first.x, grid.top}, {0.0f, 0.0f}, ink, fitting(runs[r].title, hud)});
   }
-  DrawList bar;
-  bar.clip = {0.0f, 0.0f, static_cast<float>(grid.size.width), static_cast<float>(grid.size.height)};
-  drawScaleBar(bar, scene, {grid.first, grid.scale}, {grid.first.x, bar.clip.bottom - 0.6f * em}, em);
-  texts.insert(texts.end(), bar.texts.begin(), bar.texts.end());
-  surface->draw(bar);
-  surface->draw(hud.mesh(grid.size, texts));
+  const Camera camera{page.runs.front().first, page.scale};
+  drawScaleBar(all, *runs.front().scene, camera, {camera.origin.x, all.clip.bottom - 0.6f * em}, em);
+  if (page.legendRows > 0) {
+    const float rows = hudLine * static_cast<float>(page.legendRows) * em;
+    const Vec2f at{camera.origin.x + legendWidth * em, all.clip.bottom - rows - 0.5f * margin * em};
+    drawLegend(all, *runs.front().scene, style.layers, camera, at, em);
+  }
+  surface->draw(all);
+  surface->draw(hud.mesh(page.size, all.texts));
   surface->end();
   return sheet;
 }

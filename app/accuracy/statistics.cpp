@@ -14,8 +14,6 @@ namespace bedmix {
 
 namespace {
 
-constexpr double mixed = 0.9;  // Ashton's index
-
 double mean(std::span<const double> values) {
   return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
 }
@@ -29,7 +27,7 @@ class Series {
 
   void accept(const Frame& frame, bool counts) {
     const MixingSample mixing = mixingSample(frame, sampling_);
-    if (!mixingTime_ && mixing.ashton.value_or(0.0) >= mixed) mixingTime_ = frame.time;
+    if (!mixingTime_ && mixing.ashton.value_or(0.0) >= mixedIndex) mixingTime_ = frame.time;
     if (!counts) return;
     if (mixing.ashton) ashton_.push_back(*mixing.ashton);
     if (mixing.lacey) lacey_.push_back(*mixing.lacey);

@@ -21,6 +21,11 @@ double dampingFor(double restitution, double stiffness, double reducedMass) {
   return 2.0 * logE / std::sqrt(pi * pi + logE * logE) * std::sqrt(reducedMass * stiffness);
 }
 
+double bedWeight(const Scene& scene) {
+  return static_cast<double>(scene.particles.count) * particleMass(scene) * scene.gravity /
+         (scene.bed.width * scene.bed.thickness);
+}
+
 double pairDamping(const Scene& scene) {
   const ContactSettings& c = scene.contacts;
   return c.damping ? *c.damping

@@ -147,6 +147,8 @@ struct Scene {
 
 double particleMass(const Scene& scene);    // kg
 double particleVolume(const Scene& scene);  // m3
+/// Weight of all particles over the area the bed stands on, Pa: what the gas has to carry.
+double bedWeight(const Scene& scene);
 /// Normal dashpot, kg/s, between two particles and between a particle and a wall. From `restitution`, each
 /// gets the value that gives it; from `damping`, both get that.
 double pairDamping(const Scene& scene);

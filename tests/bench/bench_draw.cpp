@@ -115,11 +115,12 @@ BENCHMARK(firstPicture)->MeasureProcessCPUTime()->UseRealTime()->Unit(benchmark:
 /// Nine panels, drawn and written.
 void sheet(benchmark::State& state) {
   const Scene scene = bedOf(1000);
-  std::vector<FramePtr> frames;
-  for (Frame& frame : framesOf(scene, 9)) frames.push_back(std::make_shared<const Frame>(std::move(frame)));
+  SheetRun run{&scene, {}, ""};
+  for (Frame& frame : framesOf(scene, 9))
+    run.frames.push_back(std::make_shared<const Frame>(std::move(frame)));
   const auto path = std::filesystem::temp_directory_path() / "bench_draw_sheet.png";
   for (auto _ : state)
-    must(writePng(path, must(drawSheet(scene, frames)), {.small = true, .text = {}, .dpi = sheetDpi}));
+    must(writePng(path, must(drawSheet({&run, 1})), {.small = true, .text = {}, .dpi = sheetDpi}));
   std::filesystem::remove(path);
 }
 BENCHMARK(sheet)->MeasureProcessCPUTime()->UseRealTime()->Unit(benchmark::kMillisecond);

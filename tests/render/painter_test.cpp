@@ -10,8 +10,6 @@
 namespace bedmix {
 namespace {
 
-Size defaultSizeOf(const Scene& scene) { return defaultSize(std::span(&scene, 1), {}); }
-
 constexpr Layers noHud{Layer::particles, Layer::walls};
 
 Image painted(const Scene& scene, const Frame& frame, const PaintOptions& options) {
@@ -92,7 +90,7 @@ TEST(Painter, DrawsOddAndTinySizes) {
 }
 
 TEST(Painter, ChoosesAnEvenSizeByItself) {
-  const Size size = defaultSizeOf(test::flatBed());
+  const Size size = defaultSize(test::flatBed());
   EXPECT_EQ(size.width % 2, 0);
   EXPECT_EQ(size.height % 2, 0);
   EXPECT_EQ(painted(test::flatBed(), test::movingFrame(test::flatBed()), {}).size, size);

@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: MIT
+#include "app/recorded_runs.h"
+
+#include "app/png_text.h"
+#include "app/run_folder.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+
+namespace fs = std::filesystem;
+
+namespace bedmix {
+
+namespace {
+
+/// Those that are there more than once are replaced.
+std::vector<std::string> madeUnique(const std::vector<std::string>& names,
+                                    const std::vector<std::string>& instead) {
+  std::vector<std::string> unique = names;
+  for (std::size_t i = 0; i < names.size(); ++i)
+    if (std::count(names.begin(), names.end(), names[i]) > 1) unique[i] = instead[i];
+  return unique;
+}
+
+Result<std::vector<FramePtr>> framesOf(TrajectoryReader& reader, std::span<const double> times) {
+  auto indices = framesAt(reader.times(), times);
+  if (!indices) {
+    for (Diagnostic& d : indices.problems) d.at.file = "--times";
+    return indices.problems;
+  }
+  std::vector<FramePtr> frames;
+  for (const std::size_t index : *indices) {
+    auto frame = reader.frame(index);
+    if (!frame) return frame.problems;
+    frames.push_back(*frame);
+  }
+  return frames;
+}
+
+}  // namespace
+
+std::vector<std::string> runNames(std::span<const std::string> runs) {
+  std::vector<std::string> names, paths;
+  for (const std::string& run : runs) {
+    const fs::path folder = runFolderOf(run);
+    names.push_back(fs::weakly_canonical(folder).filename().string());
+    paths.push_back(folder.string());
+  }
+  return madeUnique(names, paths);
+}
+
+Result<std::vector<RecordedRun>> openRuns(std::span<const std::string> runs) {
+  std::vector<RecordedRun> opened;
+  std::vector<Diagnostic> problems;
+  const std::vector<std::string> names = runNames(runs);
+  for (std::size_t i = 0; i < runs.size(); ++i) {
+    auto reader = TrajectoryReader::open(runs[i]);
+    if (reader)
+      opened.push_back({names[i], runFolderOf(runs[i]), std::move(*reader)});
+    else
+      problems.insert(problems.end(), reader.problems.begin(), reader.problems.end());
+  }
+  if (!problems.empty()) return problems;
+  return opened;
+}
+
+std::vector<std::string> runTitles(std::span<const RecordedRun> runs) {
+  std::vector<std::string> titles, named;
+  for (const RecordedRun& run : runs) {
+    titles.push_back(run.scene().title.empty() ? run.scene().name : run.scene().title);
+    named.push_back(fmt::format("{} [{}]", titles.back(), run.name));
+  }
+  return madeUnique(titles, named);
+}
+
+Result<Image> sheetOf(std::span<RecordedRun> runs, std::vector<double> times, const Style& style) {
+  double end = runs.front().end();
+  for (const RecordedRun& run : runs) end = std::min(end, run.end());
+  if (times.empty()) times = defaultSheetTimes(end);
+
+  std::vector<SheetRun> rows;
+  std::vector<Diagnostic> problems;
+  const std::vector<std::string> titles = runTitles(runs);
+  for (std::size_t i = 0; i < runs.size(); ++i) {
+    auto frames = framesOf(runs[i].reader, times);
+    if (!frames) {
+      problems.insert(problems.end(), frames.problems.begin(), frames.problems.end());
+      continue;
+    }
+    SheetRun& row = rows.emplace_back(SheetRun{&runs[i].scene(), std::move(*frames), {}});
+    if (runs.size() > 1)
+      row.title = i < 26 ? fmt::format("({:c}) {}", static_cast<char>('a' + i), titles[i]) : titles[i];
+  }
+  if (!problems.empty()) return problems;
+  return drawSheet(rows, style);
+}
+
+PngText pngText(std::span<const RecordedRun> runs) {
+  PngText text = pngText(runs.front().scene());
+  for (const RecordedRun& run : runs.subspan(1)) {
+    const PngText more = pngText(run.scene());
+    for (std::size_t i = 0; i < more.size(); ++i)
+      if (text[i].second != more[i].second) text[i].second += "; " + more[i].second;
+  }
+  return text;
+}
+
+PngOptions sheetPng(std::span<const RecordedRun> runs) {
+  return {.small = true, .text = pngText(runs), .dpi = sheetDpi};
+}
+
+}  // namespace bedmix
