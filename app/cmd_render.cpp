@@ -130,7 +130,8 @@ void addRenderCommand(CLI::App& program, CommandContext context) {
       "  bedmix render out/even -o even.mp4 --speed 0.5\n"
       "  bedmix render out/even out/inclined -o both.mp4 --layers particles,walls,hud,curve --size 1280x720\n"
       "  bedmix render out/even -o even.gif --size 320x560 --fps 20 --to 2\n"
-      "  bedmix render out/even -o even-1s.png --time 1 --layers particles,velocity,sampling,walls,hud");
+      "  bedmix render out/even -o even-1s.png --time 1 --layers particles,velocity,sampling,walls,hud\n"
+      "  bedmix render out/even -o strips.png --time 1 --color strips:6 --background black");
   command->callback([options, context] { context.outcome = render(*options, context.console); });
 }
 

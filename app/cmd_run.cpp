@@ -157,7 +157,7 @@ ExitCode run(const RunOptions& options, const Console& console) {
                .schedule = {.wallSeconds = options.checkpointSeconds},
                .film = {},
                .retries = options.onTrouble == retry};
-  if (options.video) plan.film.emplace().paint.threads = paintThreads(threads);
+  if (options.video) plan.film.emplace().paint = {{}, styleOf(*scene), paintThreads(threads)};
 
   std::optional<ResumePoint> point;
   if (options.resume) {

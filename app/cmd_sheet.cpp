@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "app/commands.h"
 #include "app/gl_option.h"
-#include "app/png_text.h"
+#include "app/picture_options.h"
 #include "app/recorded_runs.h"
 
 #include <CLI/CLI.hpp>
@@ -17,26 +17,32 @@ struct SheetOptions {
   std::vector<std::string> runs;
   std::string output;
   std::vector<double> times;  // s
-  std::string layers;
+  PictureOptions picture;
 };
 
-Result<Style> styleFor(const SheetOptions& options) {
-  if (options.layers.empty()) return sheetStyle;
-  auto layers = parseLayers(options.layers);
-  if (layers && layers->has(Layer::hud))
-    layers = Diagnostic{{}, "hud has no place in a sheet, which has its times, scale and legend anyway"};
-  if (layers) return Style(*layers);
-  for (Diagnostic& d : layers.problems) d.at.file = "--layers";
-  return layers.problems;
+/// The scene's own style with what the options change in it, but the layers of a sheet.
+Result<Style> styleFor(const PictureOptions& options, const Scene& scene) {
+  const auto paint = paintOptions(options, scene);
+  if (!paint) return paint.problems;
+  Style style = paint->style;
+  if (options.layers.empty()) {
+    const bool trails = !options.trails.empty();
+    style.layers = sheetLayers;
+    if (trails) style.layers.add(Layer::trails);
+  }
+  if (style.layers.has(Layer::hud) || style.layers.has(Layer::curve))
+    return Diagnostic{{"--layers"},
+                      "hud and curve have no place in a sheet, which has its times, scale and legend anyway"};
+  return style;
 }
 
 ExitCode sheet(const SheetOptions& options, const Console& console) {
   if (!options.output.ends_with(".png"))
     return console.fail("--output", fmt::format("a sheet is a .png picture, not \"{}\"", options.output));
-  const auto style = styleFor(options);
-  if (!style) return console.fail(style.problems);
   auto runs = openRuns(options.runs);
   if (!runs) return console.fail(runs.problems);
+  const auto style = styleFor(options.picture, runs->front().scene());
+  if (!style) return console.fail(style.problems);
   const auto image = sheetOf(*runs, options.times, *style);
   if (!image) return console.fail(image.problems);
   const auto written = writePng(options.output, *image, sheetPng(*runs));
@@ -60,10 +66,7 @@ void addSheetCommand(CLI::App& program, CommandContext context) {
       ->type_name("T,T,...")
       ->delimiter(',')
       ->allow_extra_args(false);
-  command
-      ->add_option("--layers", options->layers,
-                   "What to show, as of bedmix render; particles,walls by default")
-      ->type_name("LIST");
+  addStyleOptions(*command, options->picture);
   addGlOption(*command);
   command->footer(
       "Examples:\n  bedmix sheet out/even -o sheet.png --times 0,0.5,1,2,3,4,5,6,7\n"

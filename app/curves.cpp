@@ -107,9 +107,7 @@ Result<std::vector<Curve>> ensembleCurves(std::span<const std::string> runs, con
   for (const Ensemble& ensemble : *ensembles) {
     const bool known = std::count_if(ensembles->begin(), ensembles->end(),
                                      [&](const Ensemble& e) { return e.scene == ensemble.scene; }) == 1;
-    const std::string name =
-        fmt::format("{}, median of {}, {:g}-{:g} %", known ? ensemble.scene : runNames(ensemble.runs).front(),
-                    ensemble.runs.size(), 100.0 * bandLow, 100.0 * bandHigh);
+    const std::string name = known ? ensemble.scene : runNames(ensemble.runs).front();
     std::vector<std::vector<Curve>> columns(kind.columns.size());
     for (const std::string& run : ensemble.runs) {
       auto ofRun = columnsOf(run, kind);
@@ -117,7 +115,9 @@ Result<std::vector<Curve>> ensembleCurves(std::span<const std::string> runs, con
       for (std::size_t k = 0; k < columns.size(); ++k) columns[k].push_back(std::move((*ofRun)[k]));
     }
     for (const std::vector<Curve>& column : columns)
-      curves.push_back(medianAndBand(column, curveName(kind, name, column.front().label)));
+      curves.push_back(
+          medianAndBand(column, fmt::format("{}, {} run{}", curveName(kind, name, column.front().label),
+                                            column.size(), column.size() == 1 ? "" : "s")));
   }
   return curves;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "app/frame_folder.h"
 
+#include "app/run_folder.h"
 #include "render/png_info.h"
 
 #include <fmt/core.h>
@@ -38,12 +39,10 @@ bool sameColors(const Image& a, const Image& b) {
 }  // namespace
 
 Result<FrameFolder> FrameFolder::open(const fs::path& path, std::size_t pictures, bool force) {
-  std::error_code error;
-  if (fs::exists(path, error) && !fs::is_directory(path, error))
-    return Diagnostic{{path.string()}, "is a file; give a folder, or a name with an ending", Trouble::file};
-  fs::create_directories(path, error);
-  if (error) return Diagnostic{{path.string()}, "cannot make this folder: " + error.message(), Trouble::file};
-  FrameFolder folder(path, pictures);
+  if (const auto made = makeFolder(path); !made) return made.problems;
+  Result<FolderClaim> claim = claimFolder(path);
+  if (!claim) return claim.problems;
+  FrameFolder folder(path, std::move(*claim), pictures);
   if (Result<Done> done = folder.look(force); !done) return done.problems;
   return folder;
 }

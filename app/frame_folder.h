@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "app/folder_claim.h"
 #include "engine/core/diagnostic.h"
 #include "render/image.h"
 #include "render/png.h"
@@ -19,6 +20,7 @@ namespace bedmix {
 class FrameFolder {
  public:
   /// Makes the folder where there is none; for `pictures` of them. Removes all frames in it with `force`.
+  /// Fails where another program writes into it.
   static Result<FrameFolder> open(const std::filesystem::path& path, std::size_t pictures, bool force);
 
   std::filesystem::path file(std::size_t number) const;
@@ -30,11 +32,13 @@ class FrameFolder {
   Result<Done> expect(std::size_t number, const Image& image) const;
 
  private:
-  FrameFolder(std::filesystem::path path, std::size_t pictures) : path_(std::move(path)), named_(pictures) {}
+  FrameFolder(std::filesystem::path path, FolderClaim claim, std::size_t pictures)
+      : path_(std::move(path)), claim_(std::move(claim)), named_(pictures) {}
   Result<Done> look(bool force);
   Diagnostic foreign(std::size_t number, const std::string& why) const;
 
   std::filesystem::path path_;
+  FolderClaim claim_;
   std::vector<bool> named_;  // pictures by whose name there is something
 };
 

@@ -5,6 +5,7 @@
 #include "render/painter.h"
 
 #include <string>
+#include <vector>
 
 namespace CLI {
 class App;
@@ -12,12 +13,18 @@ class App;
 
 namespace bedmix {
 
-/// What a picture shows, as the command line says it.
+/// What a picture shows, as the command line says it; what is empty is the scene's [pictures] or the default.
 struct PictureOptions {
-  std::string layers;  // "particles,walls"; empty: the default
-  std::string size;    // "1280x720"; empty: as the bed needs it
+  std::string layers;                 // "particles,walls"
+  std::string color;                  // "speed", "strips:6"
+  std::string background;             // "black", "#1a2b3c"
+  std::string trails;                 // "3,500"; shows the layer, too
+  std::vector<std::string> settings;  // "trail_time=0.2", of [pictures]
+  std::string size;                   // "1280x720"; as the bed needs it where empty
 };
 void addPictureOptions(CLI::App& command, PictureOptions& options);
+/// The same but for the size.
+void addStyleOptions(CLI::App& command, PictureOptions& options);
 
 /// What the options ask for, checked against the scene.
 Result<PaintOptions> paintOptions(const PictureOptions& options, const Scene& scene);

@@ -59,6 +59,8 @@ void Progress::accept(const Frame& frame) {
 }
 
 void PictureProgress::show(std::int64_t made, std::int64_t kept) {
+  if (made == shown_) return;
+  shown_ = made;
   const double wall = std::chrono::duration<double>(Clock::now() - start_).count();
   const double pace = wall > 0.0 ? static_cast<double>(made - kept) / wall : 0.0;
   std::string text = fmt::format("{} of {} pictures", made, total_);

@@ -59,6 +59,7 @@ class PictureProgress {
 
   ProgressLine line_;
   std::int64_t total_;
+  std::int64_t shown_ = -1;
   Clock::time_point start_ = Clock::now();
 };
 

@@ -23,19 +23,43 @@ std::vector<std::string> madeUnique(const std::vector<std::string>& names,
   return unique;
 }
 
-Result<std::vector<FramePtr>> framesOf(TrajectoryReader& reader, std::span<const double> times) {
-  auto indices = framesAt(reader.times(), times);
+/// What the style needs of the frames up to the one of this index.
+Result<History> historyOf(TrajectoryReader& reader, const Style& style, std::size_t index) {
+  History history(reader.scene(), style);
+  std::vector<std::size_t> seen;
+  if (hasClasses(style.color)) seen.push_back(0);
+  if (style.layers.has(Layer::trails)) {
+    const std::vector<double>& times = reader.times();
+    const auto first = std::lower_bound(times.begin(), times.end(), times[index] - style.trailTime);
+    for (auto k = static_cast<std::size_t>(first - times.begin()); k < index; ++k) seen.push_back(k);
+  }
+  seen.push_back(index);
+  for (const std::size_t k : seen) {
+    const auto frame = reader.frame(k);
+    if (!frame) return frame.problems;
+    history.observe(**frame);
+  }
+  return history;
+}
+
+/// The frames at `times` as panels of the run.
+Result<SheetRun> panelsOf(RecordedRun& run, std::span<const double> times, const Style& style) {
+  auto indices = framesAt(run.reader.times(), times);
   if (!indices) {
     for (Diagnostic& d : indices.problems) d.at.file = "--times";
     return indices.problems;
   }
-  std::vector<FramePtr> frames;
+  SheetRun panels{&run.scene(), {}, {}, {}};
   for (const std::size_t index : *indices) {
-    auto frame = reader.frame(index);
+    auto frame = run.reader.frame(index);
     if (!frame) return frame.problems;
-    frames.push_back(*frame);
+    panels.frames.push_back(*frame);
+    if (!hasClasses(style.color) && !style.layers.has(Layer::trails)) continue;
+    auto history = historyOf(run.reader, style, index);
+    if (!history) return history.problems;
+    panels.histories.push_back(std::move(*history));
   }
-  return frames;
+  return panels;
 }
 
 }  // namespace
@@ -83,12 +107,12 @@ Result<Image> sheetOf(std::span<RecordedRun> runs, std::vector<double> times, co
   std::vector<Diagnostic> problems;
   const std::vector<std::string> titles = runTitles(runs);
   for (std::size_t i = 0; i < runs.size(); ++i) {
-    auto frames = framesOf(runs[i].reader, times);
-    if (!frames) {
-      problems.insert(problems.end(), frames.problems.begin(), frames.problems.end());
+    auto panels = panelsOf(runs[i], times, style);
+    if (!panels) {
+      problems.insert(problems.end(), panels.problems.begin(), panels.problems.end());
       continue;
     }
-    SheetRun& row = rows.emplace_back(SheetRun{&runs[i].scene(), std::move(*frames), {}});
+    SheetRun& row = rows.emplace_back(std::move(*panels));
     if (runs.size() > 1)
       row.title = i < 26 ? fmt::format("({:c}) {}", static_cast<char>('a' + i), titles[i]) : titles[i];
   }

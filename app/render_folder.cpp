@@ -8,7 +8,21 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
+#include <cstdint>
+
 namespace bedmix {
+
+namespace {
+
+/// As many as cores, as long as the pictures on their way take no more than this.
+int writersFor(Size picture) {
+  constexpr std::int64_t mostBytes = std::int64_t{2} << 30;
+  const std::int64_t bytes = std::int64_t{4} * picture.width * picture.height;
+  return static_cast<int>(std::clamp<std::int64_t>(mostBytes / bytes, 1, availableCores()));
+}
+
+}  // namespace
 
 ExitCode renderFolder(const RenderJob& job, bool force) {
   const std::size_t total = job.selected.front().size();
@@ -17,7 +31,7 @@ ExitCode renderFolder(const RenderJob& job, bool force) {
   auto folder = FrameFolder::open(job.output, total, force);
   if (!folder) return job.console.fail(folder.problems);
 
-  PictureWorkers writers(availableCores());
+  PictureWorkers writers(writersFor(painter->size()));
   PictureProgress progress(job.console, static_cast<std::int64_t>(total));
   LastFrames last(job.runs.size());
   const PngText source = pngText(job.runs);

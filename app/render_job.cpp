@@ -64,15 +64,21 @@ Result<Ending> forFrames(const RenderJob& job, const FrameUse& use) {
 
 namespace {
 
-/// The rate of the film, said where it is not the one asked for.
+/// The rate of the film; says where that or its size is not what was asked for.
 double filmRate(const RenderJob& job, double fps) {
-  const auto kind = filmKindOf(job.output);
-  const double rate = kind ? fittingRate(*kind, fps) : fps;
+  const FilmKind kind = *filmKindOf(job.output);
+  const double rate = fittingRate(kind, fps);
   if (rate != fps)
     job.console.warn(fmt::format(
         "a GIF shows a picture for 2, 3, 4, ... hundredths of a second: {:.4g} pictures a second, "
         "not {:g}",
         rate, fps));
+  const Size asked = job.paint.size, size = fittingSize(kind, asked);
+  if (!(size == asked))
+    job.console.warn(
+        fmt::format("H.264 has even sizes: the film has {}x{} pixels, of which the last repeat "
+                    "those before them",
+                    size.width, size.height));
   return rate;
 }
 

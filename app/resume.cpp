@@ -16,9 +16,10 @@ namespace bedmix {
 
 namespace {
 
-/// Path and value of every setting, as in the text of a scene.
+/// Path and value of every setting that a run depends on, as in the text of a scene.
 std::vector<std::pair<std::string, std::string>> settingsOf(Scene scene) {
   scene.time.duration = 0.0;
+  scene.pictures.reset();
   std::vector<std::pair<std::string, std::string>> settings;
   std::istringstream text(writeScene(scene));
   std::string table;

@@ -3,9 +3,7 @@
 
 #include <fmt/core.h>
 
-#include <cerrno>
-#include <fcntl.h>
-#include <sys/file.h>
+#include <system_error>
 #include <unistd.h>
 
 namespace fs = std::filesystem;
@@ -18,15 +16,11 @@ Diagnostic trouble(const fs::path& path, const std::string& message) {
   return {{path.string()}, message, Trouble::file};
 }
 
-/// The folder itself is locked: nothing is left behind, whatever ends the program. Where a file system has no
-/// locks, the trajectory's own is all there is.
-Result<RunFolder> claim(RunFolder folder) {
-  const int descriptor = open(folder.path.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-  if (descriptor < 0) return trouble(folder.path, std::error_code(errno, std::generic_category()).message());
-  folder.claim = std::shared_ptr<const void>(nullptr, [descriptor](const void*) { close(descriptor); });
-  if (flock(descriptor, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK)
-    return trouble(folder.path,
-                   "another bedmix is writing a run into this folder; wait for it or give another with -o");
+Result<RunFolder> claimed(Result<RunFolder> folder) {
+  if (!folder) return folder;
+  Result<FolderClaim> claim = claimFolder(folder->path);
+  if (!claim) return claim.problems;
+  folder->claim = std::move(*claim);
   return folder;
 }
 
@@ -47,13 +41,11 @@ Result<RunFolder> claimRunFolder(const fs::path& path) {
   std::error_code none;
   if (!fs::exists(RunFolder{path}.trajectory(), none))
     return trouble(path, "holds no run to go on with; leave out --resume to begin one");
-  Result<RunFolder> folder = makeFolder(path);
-  return folder ? claim(std::move(*folder)) : folder;
+  return claimed(makeFolder(path));
 }
 
 Result<RunFolder> makeRunFolder(const fs::path& path, bool force) {
-  Result<RunFolder> folder = makeFolder(path);
-  if (folder) folder = claim(std::move(*folder));
+  Result<RunFolder> folder = claimed(makeFolder(path));
   if (!folder) return folder;
   std::error_code error;
   if (fs::is_empty(path, error)) return folder;

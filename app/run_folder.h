@@ -1,18 +1,17 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "app/folder_claim.h"
 #include "engine/core/diagnostic.h"
 
 #include <filesystem>
-#include <memory>
 
 namespace bedmix {
 
 /// The files of a run, by their fixed names.
 struct RunFolder {
   std::filesystem::path path;
-  /// Held by whoever writes a run into the folder, so that nobody else does; null for others.
-  std::shared_ptr<const void> claim = nullptr;
+  FolderClaim claim = nullptr;  // of whoever writes a run into it; null for others
 
   std::filesystem::path trajectory() const { return path / "trajectory.h5"; }
   std::filesystem::path mixing() const { return path / "mixing.csv"; }

@@ -36,10 +36,11 @@ std::uint64_t checksum(std::span<const std::byte> bytes) {
   return hash.value();
 }
 
-/// The same for scenes that differ in their duration and refinement alone.
+/// The same for scenes that differ in their duration, refinement and pictures alone.
 std::uint64_t sceneMark(const Scene& scene) {
   Scene asked = unrefined(scene);
   asked.time.duration = 0.0;
+  asked.pictures.reset();
   const std::string text = writeScene(asked);
   return checksum(std::as_bytes(std::span(text)));
 }

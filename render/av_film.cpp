@@ -18,12 +18,15 @@ Diagnostic missing(const char* encoder) {
 
 }  // namespace
 
-AvFilm::~AvFilm() {
+AvFilm::~AvFilm() { release(); }
+
+void AvFilm::release() {
   av_packet_free(&packet_);
   av_frame_free(&frame_);
   avcodec_free_context(&encoder_);
   if (file_) avio_closep(&file_->pb);
   avformat_free_context(file_);
+  file_ = nullptr;
 }
 
 Result<Done> AvFilm::findEncoder(Size size, AVRational rate) {
@@ -112,6 +115,7 @@ Result<Done> AvFilm::close() {
   if (Result<Done> done = pass(nullptr); !done) return done;
   if (const int error = av_write_trailer(file_); error < 0) return failure(error);
   if (const int error = avio_closep(&file_->pb); error < 0) return failure(error);
+  release();  // what is done with the film next may need the memory
   return Done{};
 }
 

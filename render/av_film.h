@@ -49,6 +49,7 @@ class AvFilm {
   PartFile& part() { return part_; }
 
  private:
+  void release();
   Result<Done> openEncoder();
   Result<Done> openFile();
   /// Encodes `input` (null: the rest) and writes what comes out.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "render/colors.h"
 #include "render/draw_list.h"
 #include "render/index_curve.h"
 
@@ -28,7 +29,8 @@ Chart indexChart(std::span<const std::string> labels, std::span<const IndexCurve
 
 /// Draws curves over time into `list`, whose clip it sets to the axes, and their axes and texts into
 /// `overlay`. The axes end at `until`, s, and fit into `box`, px.
-void drawChart(DrawList& list, DrawList& overlay, const Box& box, const Chart& chart, double until, float em);
+void drawChart(DrawList& list, DrawList& overlay, const Box& box, const Chart& chart, double until, float em,
+               const Palette& palette = {});
 
 /// Where the axes of a chart in `box` are, px.
 Box chartAxes(const Box& box, std::size_t curves, float em);

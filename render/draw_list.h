@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "engine/core/frame.h"
-#include "engine/core/scene.h"
+#include "engine/core/color.h"
+#include "engine/core/vec2.h"
 #include "render/camera.h"
-#include "render/colors.h"
-#include "render/style.h"
 
 #include <string>
 #include <vector>
@@ -34,6 +32,7 @@ struct Text {
   Vec2f anchor;
   Rgba color;
   std::string text;
+  float size = 0.0f;  // px, height of the text; 0: the picture's
 };
 
 /// What is to be drawn, in pixels and without any OpenGL: triangles, then discs, lines and texts, each kind
@@ -48,28 +47,5 @@ struct DrawList {
   /// Empties it and keeps the memory.
   void clear();
 };
-
-/// Appends the bed's layers (all but the HUD) as the camera sees them. Line widths follow `em`, the height of
-/// the picture's text, px. Discs that lie wholly outside `list.clip` are left out. A layer of the gas needs a
-/// frame with gas.
-void drawBed(DrawList& list, const Scene& scene, const Frame& frame, const Camera& camera, const Style& style,
-             float em);
-
-/// Appends a scale bar of a round length and its label, its left end and lower edge at `at`.
-void drawScaleBar(DrawList& list, const Scene& scene, const Camera& camera, Vec2f at, float em);
-
-/// Range of the colours of a layer, pressure (Pa, 0 to somewhat more than the bed's weight per area) or
-/// voidage (packed to empty); fixed for a scene so that frames compare.
-struct ColorRange {
-  double low = 0.0;
-  double high = 1.0;
-};
-ColorRange colorRange(const Scene& scene, Layer layer);
-
-/// How long the arrows of the particles or the gas are in the bed: metres per m/s, fixed for a scene.
-double arrowScale(const Scene& scene, Layer velocityOrGas);
-
-/// The largest of 1, 2, 5 times a power of ten that is not above `value` (> 0).
-double roundDown(double value);
 
 }  // namespace bedmix

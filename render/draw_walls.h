@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "engine/core/scene.h"
+#include "render/colors.h"
 #include "render/draw_list.h"
 
 namespace bedmix {
@@ -8,7 +10,8 @@ namespace bedmix {
 /// Appends walls and lid as lines outside the room the particles have, the solid below an inclined
 /// distributor, and the gas inlets: a perforated stretch of floor over arrows as long as the gas there is
 /// fast.
-void drawWalls(DrawList& list, const Scene& scene, const Camera& camera, float em);
+void drawWalls(DrawList& list, const Scene& scene, const Camera& camera, float em,
+               const Palette& palette = {});
 
 /// Room the inlets' arrows need below the bed, px.
 float inletArrowHeight(const Scene& scene, float em);

@@ -22,6 +22,9 @@ std::optional<FilmKind> filmKindOf(const std::filesystem::path& path);
 /// take less than two of them for no time at all.
 double fittingRate(FilmKind kind, double fps);
 
+/// The size of a film of this kind that shows such pictures whole.
+Size fittingSize(FilmKind kind, Size picture);
+
 /// A film of the kind that the ending of `path` says. Fails as `input` for an ending or a size that no film
 /// has, as `unavailable` without the encoder, as `file` where `path` cannot be written.
 Result<std::unique_ptr<PictureWriter>> createFilm(const std::filesystem::path& path, Size size, double fps);

@@ -19,21 +19,23 @@ namespace bedmix {
 
 namespace {
 
-/// gnuplot's terminal for a file name, or nothing. Its points are those of a 96 dpi screen in a .png, pixels
-/// of such a screen in a .svg.
+constexpr double points = 7.7;  // of texts in print
+
+/// gnuplot's terminal for a file name, or nothing. What it takes for points are those of a 96 dpi screen in a
+/// .png, pixels of such a screen in a .svg, and half of the former in a .pdf unless told otherwise.
 std::string terminalFor(const fs::path& path, const PrintSize& size) {
   const std::string extension = path.extension().string();
   const auto pixels = [](double mm, double dpi) { return std::lround(mm / 25.4 * dpi); };
   if (extension == ".png")
-    return fmt::format("pngcairo size {},{} font 'DejaVu Sans,{:g}' linewidth {:g}",
-                       pixels(size.width, size.dpi), pixels(size.height, size.dpi), 0.08 * size.dpi,
+    return fmt::format("pngcairo size {},{} font 'DejaVu Sans,{:.1f}' linewidth {:g}",
+                       pixels(size.width, size.dpi), pixels(size.height, size.dpi), points * size.dpi / 96.0,
                        size.dpi / 120.0);
   if (extension == ".svg")
-    return fmt::format("svg size {},{} font 'DejaVu Sans,7.7' linewidth 0.8 background 'white'",
-                       pixels(size.width, 96.0), pixels(size.height, 96.0));
+    return fmt::format("svg size {},{} font 'DejaVu Sans,{:.1f}' linewidth 0.8 background 'white'",
+                       pixels(size.width, 96.0), pixels(size.height, 96.0), points * 96.0 / 72.0);
   if (extension == ".pdf")
-    return fmt::format("pdfcairo size {}cm,{}cm font 'DejaVu Sans,7.7' linewidth 1.25", 0.1 * size.width,
-                       0.1 * size.height);
+    return fmt::format("pdfcairo size {}cm,{}cm font 'DejaVu Sans,{}' fontscale 0.75 linewidth 1.25",
+                       0.1 * size.width, 0.1 * size.height, points);
   return {};
 }
 

@@ -4,6 +4,7 @@
 #include <imgui.h>
 
 #include <bit>
+#include <cfloat>
 #include <cmath>
 #include <filesystem>
 #include <limits>
@@ -61,13 +62,16 @@ Hud::Hud(float em) : state_(std::make_unique<State>()) {
   io.LogFilename = nullptr;
   io.DeltaTime = 1.0f / 60.0f;
   io.BackendFlags |= ImGuiBackendFlags_RendererHasVtxOffset;
+  // The second font keeps small texts sharp: glyphs are not scaled to less than half their size.
   std::error_code missing;
-  if (std::filesystem::exists(fontFile, missing)) {
-    io.Fonts->AddFontFromFileTTF(fontFile, std::round(em));
-  } else {
-    ImFontConfig config;
-    config.SizePixels = std::round(em);
-    io.Fonts->AddFontDefault(&config);
+  for (const float size : {std::round(em), std::round(0.5f * em)}) {
+    if (std::filesystem::exists(fontFile, missing)) {
+      io.Fonts->AddFontFromFileTTF(fontFile, size);
+    } else {
+      ImFontConfig config;
+      config.SizePixels = size;
+      io.Fonts->AddFontDefault(&config);
+    }
   }
   unsigned char* pixels = nullptr;
   int width = 0, height = 0;
@@ -94,11 +98,15 @@ const UiMesh& Hud::mesh(Size picture, std::span<const Text> texts) {
   ImGui::GetIO().DisplaySize = {static_cast<float>(picture.width), static_cast<float>(picture.height)};
   ImGui::NewFrame();
   for (const Text& text : texts) {
-    const ImVec2 size = ImGui::CalcTextSize(text.text.c_str());
+    const auto& fonts = ImGui::GetIO().Fonts->Fonts;
+    const float height = text.size > 0.0f ? text.size : fonts[0]->FontSize;
+    ImFont* font = fonts[height > fonts[1]->FontSize ? 0 : 1];
+    const ImVec2 size = font->CalcTextSizeA(height, FLT_MAX, 0.0f, text.text.c_str());
     const ImVec2 at{std::round(text.at.x - text.anchor.x * size.x),
                     std::round(text.at.y - text.anchor.y * size.y)};
-    ImGui::GetBackgroundDrawList()->AddText(
-        at, IM_COL32(text.color.r, text.color.g, text.color.b, text.color.a), text.text.c_str());
+    ImGui::GetBackgroundDrawList()->AddText(font, height, at,
+                                            IM_COL32(text.color.r, text.color.g, text.color.b, text.color.a),
+                                            text.text.c_str());
   }
   ImGui::Render();
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "engine/core/color.h"
+
 #include <cstdint>
 #include <vector>
 
@@ -11,11 +13,6 @@ struct Size {
   int width = 0;
   int height = 0;
   friend bool operator==(Size, Size) = default;
-};
-
-struct Rgba {
-  std::uint8_t r = 0, g = 0, b = 0, a = 255;
-  friend bool operator==(Rgba, Rgba) = default;
 };
 
 /// A picture: 4 bytes a pixel (red, green, blue, alpha), top row first, no padding.

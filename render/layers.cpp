@@ -2,6 +2,9 @@
 #include "render/layers.h"
 
 #include "engine/core/gas_grid.h"
+#include "engine/core/scene_reader.h"
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <string>
@@ -10,66 +13,46 @@ namespace bedmix {
 
 namespace {
 
-Diagnostic unknownLayer(std::string_view name) {
-  std::string message = "there is no layer '" + std::string(name) + "'; the layers are:";
-  for (const LayerInfo& info : layerTable)
-    message += "\n  " + std::string(info.name) + ": " + std::string(info.meaning);
-  return {{}, message};
-}
-
-std::vector<LayerInfo> gasLayers(Layers layers) {
-  std::vector<LayerInfo> found;
-  for (std::size_t i = 0; i < layerTable.size(); ++i)
-    if (layerTable[i].needsGas && layers.has(static_cast<Layer>(i))) found.push_back(layerTable[i]);
-  return found;
+/// What the gas is needed for, in words.
+std::vector<std::string> gasUses(const Style& style) {
+  std::vector<std::string> uses;
+  for (std::size_t i = 0; i < modelTable<Layer>.size(); ++i)
+    if (const auto layer = static_cast<Layer>(i); needsGas(layer) && style.layers.has(layer))
+      uses.push_back(fmt::format("the layer '{}'", modelName(layer)));
+  if (style.layers.has(Layer::particles) && style.color == ParticleColor::voidage)
+    uses.emplace_back("the colour 'voidage'");
+  return uses;
 }
 
 }  // namespace
 
-Result<Layers> parseLayers(std::string_view list) {
-  Layers layers;
+std::vector<Diagnostic> missingFor(const Scene& scene, const Style& style) {
   std::vector<Diagnostic> problems;
-  for (std::size_t start = 0; start <= list.size();) {
-    const std::size_t end = std::min(list.find(',', start), list.size());
-    const std::string_view name = list.substr(start, end - start);
-    std::size_t i = 0;
-    while (i < layerTable.size() && layerTable[i].name != name) ++i;
-    if (i < layerTable.size())
-      layers.add(static_cast<Layer>(i));
-    else
-      problems.push_back(unknownLayer(name));
-    start = end + 1;
-  }
-  if (layers.has(Layer::pressure) && layers.has(Layer::voidage))
-    problems.push_back({{}, "the layers 'pressure' and 'voidage' colour the same cells; choose one"});
-  if (!problems.empty()) return problems;
-  return layers;
-}
-
-std::vector<Diagnostic> missingFor(const Scene& scene, Layers layers) {
-  if (scene.gas) return {};
-  std::vector<Diagnostic> problems;
-  for (const LayerInfo& info : gasLayers(layers))
-    problems.push_back({{},
-                        "the layer '" + std::string(info.name) + "' shows the gas, but scene '" + scene.name +
-                            "' has none; leave the layer out"});
+  for (Contradiction& c : contradictions(scene, style)) problems.push_back({{}, std::move(c.message)});
   return problems;
 }
 
-std::vector<Diagnostic> missingFor(const Scene& scene, const Frame& frame, Layers layers) {
-  const std::vector<LayerInfo> needed = gasLayers(layers);
-  if (needed.empty()) return {};
-  const std::size_t cells = makeGasGrid(scene).cells();
-  const GasFrame& gas = frame.gas;
-  if (gas.voidage.size() == cells && gas.pressure.size() == cells && gas.velocity.size() == cells) return {};
+std::vector<Diagnostic> missingFor(const Scene& scene, const Frame& frame, const Style& style) {
   std::vector<Diagnostic> problems;
-  for (const LayerInfo& info : needed)
-    problems.push_back({{},
-                        "the layer '" + std::string(info.name) + "' needs the gas in " +
-                            std::to_string(cells) +
-                            " cells, but the frame at t = " + std::to_string(frame.time) + " s holds " +
-                            std::to_string(gas.voidage.size()) + "; leave the layer out",
-                        Trouble::file});
+  const auto lacks = [&](std::string message) {
+    problems.push_back(
+        {{}, fmt::format("{} at t = {:g} s; leave it out", message, frame.time), Trouble::file});
+  };
+  if (const std::vector<std::string> uses = gasUses(style); !uses.empty()) {
+    const std::size_t cells = makeGasGrid(scene).cells();
+    const GasFrame& gas = frame.gas;
+    if (gas.voidage.size() != cells || gas.pressure.size() != cells || gas.velocity.size() != cells)
+      for (const std::string& use : uses)
+        lacks(fmt::format("{} needs the gas in {} cells, but there are {} in the frame", use, cells,
+                          gas.voidage.size()));
+  }
+  if (style.layers.has(Layer::particles) && style.color == ParticleColor::spin &&
+      frame.angularVelocity.size() != frame.size())
+    lacks("the colour 'spin' needs angular velocities, but there are none in the frame");
+  if (style.layers.has(Layer::trails))
+    for (const std::int64_t id : style.trails)
+      if (!std::binary_search(frame.id.begin(), frame.id.end(), id))
+        lacks(fmt::format("the layer 'trails' follows particle {}, but there is none in the frame", id));
   return problems;
 }
 

@@ -28,20 +28,20 @@ float scaleIn(const Scene& scene, const Box& room) {
 }
 
 /// One bed in its part of a picture, no larger than `widest`, px per m.
-Layout layoutBed(const Scene& scene, const Box& part, Layers layers, bool isNamed, float em,
+Layout layoutBed(const Scene& scene, const Box& part, const Style& style, bool isNamed, float em,
                  float widest = std::numeric_limits<float>::infinity()) {
   const float width = part.width(), height = part.height();
   Layout layout;
   layout.em = em;
   const float edge = margin * em;
-  const bool hud = layers.has(Layer::hud);
+  const bool hud = style.layers.has(Layer::hud);
 
   float below = edge;
-  if (layers.has(Layer::walls)) below += inletArrowHeight(scene, em);
+  if (style.layers.has(Layer::walls)) below += inletArrowHeight(scene, em);
   if (hud) below += scaleBarBand * em;
   const Box full{edge, edge, width - edge, std::max(height - below, 0.5f * height)};
 
-  const HudRowCount rows = hudRowCount(scene, layers, isNamed);
+  const HudRowCount rows = hudRowCount(scene, style, isNamed);
   Box room = full;
   bool beside = false;
   if (hud) {
@@ -72,7 +72,7 @@ Layout layoutBed(const Scene& scene, const Box& part, Layers layers, bool isName
 }
 
 /// Beds in equal columns of `part`.
-std::vector<Layout> layoutBeds(std::span<const Scene> scenes, const Box& part, Layers layers, float em) {
+std::vector<Layout> layoutBeds(std::span<const Scene> scenes, const Box& part, const Style& style, float em) {
   const bool areNamed = scenes.size() > 1;
   std::vector<Layout> beds;
   float scale = std::numeric_limits<float>::infinity();
@@ -84,7 +84,7 @@ std::vector<Layout> layoutBeds(std::span<const Scene> scenes, const Box& part, L
                           part.width() * static_cast<float>(n) / static_cast<float>(scenes.size()));
       };
       beds.push_back(
-          layoutBed(scenes[i], {edge(i), part.top, edge(i + 1), part.bottom}, layers, areNamed, em, scale));
+          layoutBed(scenes[i], {edge(i), part.top, edge(i + 1), part.bottom}, style, areNamed, em, scale));
     }
     for (const Layout& bed : beds) scale = std::min(scale, bed.camera.scale);
   }
@@ -95,11 +95,11 @@ float textHeight(float width, float height) {
   return std::clamp(std::round(std::min(width / 20.0f, height / 36.0f)), 8.0f, 128.0f);
 }
 
-PictureLayout layoutWithChart(std::span<const Scene> scenes, const Box& beds, const Box& chart, Layers layers,
-                              float em) {
+PictureLayout layoutWithChart(std::span<const Scene> scenes, const Box& beds, const Box& chart,
+                              const Style& style, float em) {
   PictureLayout layout;
   layout.em = em;
-  layout.beds = layoutBeds(scenes, beds, layers, layout.em);
+  layout.beds = layoutBeds(scenes, beds, style, layout.em);
   const float edge = margin * layout.em;
   layout.chart = {chart.left + edge, chart.top + edge, chart.right - edge, chart.bottom - edge};
   const float tallest = highestChart * layout.chart.width();
@@ -111,11 +111,11 @@ PictureLayout layoutWithChart(std::span<const Scene> scenes, const Box& beds, co
 
 }  // namespace
 
-PictureLayout layoutPicture(std::span<const Scene> scenes, Size size, Layers layers) {
+PictureLayout layoutPicture(std::span<const Scene> scenes, Size size, const Style& style) {
   const Box whole{0.0f, 0.0f, static_cast<float>(size.width), static_cast<float>(size.height)};
-  if (!layers.has(Layer::curve)) {
+  if (!style.layers.has(Layer::curve)) {
     const float em = textHeight(whole.width() / static_cast<float>(scenes.size()), whole.height());
-    return {layoutBeds(scenes, whole, layers, em), {}, em};
+    return {layoutBeds(scenes, whole, style, em), {}, em};
   }
   const auto scale = [](const PictureLayout& layout) { return layout.beds.front().camera.scale; };
   // Beds and chart share the width.
@@ -129,7 +129,7 @@ PictureLayout layoutPicture(std::span<const Scene> scenes, Size size, Layers lay
         beds.right = chart.left = std::round((1.0f - part) * whole.width());
       else
         beds.bottom = chart.top = std::round((1.0f - part) * whole.height());
-      PictureLayout layout = layoutWithChart(scenes, beds, chart, layers, em);
+      PictureLayout layout = layoutWithChart(scenes, beds, chart, style, em);
       const bool isReadable = layout.chart.width() >= narrowestChart * layout.em &&
                               layout.chart.height() >= lowestChart * layout.em;
       // The larger chart, where it costs the beds nothing.
@@ -138,8 +138,8 @@ PictureLayout layoutPicture(std::span<const Scene> scenes, Size size, Layers lay
   return best;
 }
 
-Layout layoutPicture(const Scene& scene, Size size, Layers layers) {
-  return layoutPicture(std::span(&scene, 1), size, layers).beds.front();
+Layout layoutPicture(const Scene& scene, Size size, const Style& style) {
+  return layoutPicture(std::span(&scene, 1), size, style).beds.front();
 }
 
 double viewHeight(const Scene& scene) {

@@ -4,14 +4,14 @@
 #include "engine/core/scene.h"
 #include "render/camera.h"
 #include "render/image.h"
-#include "render/layers.h"
+#include "render/style.h"
 
 #include <span>
 #include <vector>
 
 namespace bedmix {
 
-/// Where things of one bed are in a picture. Depends on scene, layers and size alone, so that a film is
+/// Where things of one bed are in a picture. Depends on scene, style and size alone, so that a film is
 /// steady.
 struct Layout {
   Camera camera;
@@ -31,9 +31,9 @@ struct PictureLayout {
 
 /// Whole beds and, with the layers, the HUD above each or to its left, and the chart to the right of all or
 /// below, whichever leaves the beds larger.
-PictureLayout layoutPicture(std::span<const Scene> scenes, Size size, Layers layers);
+PictureLayout layoutPicture(std::span<const Scene> scenes, Size size, const Style& style);
 /// The same of one bed, of which it gives the layout.
-Layout layoutPicture(const Scene& scene, Size size, Layers layers);
+Layout layoutPicture(const Scene& scene, Size size, const Style& style);
 
 /// The height that pictures of the bed show, m: a tenth more than the bed where its top is open, which
 /// the paper's beds stay below when the gas first lifts them.

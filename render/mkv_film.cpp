@@ -1,14 +1,18 @@
 // SPDX-License-Identifier: MIT
 #include "render/mkv_film.h"
 
+#include "engine/core/thread_team.h"
 #include "render/av_film.h"
+
+#include <algorithm>
 
 namespace bedmix {
 
 namespace {
 
-/// Slices and threads are pinned: slices are part of the stream, and by default as many as threads.
-constexpr int slices = 4, threads = 2;
+/// Part of the stream, so they do not follow the machine; the threads that share them do. As many as the
+/// largest film needs.
+constexpr int slices = 16;
 constexpr int version = 3;  // of FFV1, the one with a checksum for each slice
 constexpr AvFormat format{"ffv1", "matroska", "cluster_time_limit=1000"};  // ms; what a kill may cost
 
@@ -21,7 +25,7 @@ void setEncoder(AVCodecContext& encoder) {
   encoder.gop_size = 1;
   encoder.level = version;
   encoder.slices = slices;
-  encoder.thread_count = threads;
+  encoder.thread_count = std::min(slices, availableCores());
   encoder.thread_type = FF_THREAD_SLICE;
 }
 

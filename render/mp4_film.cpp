@@ -47,7 +47,7 @@ struct Mp4Film::State {
   std::unique_ptr<SwsContext, FreeScaler> toYuv;
 
   State(const std::filesystem::path& path, Size size) : target(path), picture(size), film(path, format) {
-    padded.resize({size.width + size.width % 2, size.height + size.height % 2});
+    padded.resize(evenSize(size));
   }
   void setEncoder(double fps);
   void setConversion();
@@ -106,6 +106,10 @@ Result<Done> Mp4Film::add(const Image& picture) {
 Result<Done> Mp4Film::finish() {
   if (Result<Done> done = state_->film.close(); !done) return done;
   return remuxMp4(state_->film.part().path(), state_->target);
+}
+
+Size evenSize(Size picture) {
+  return {picture.width + picture.width % 2, picture.height + picture.height % 2};
 }
 
 Result<std::string> probeEncoder() { return probeAvEncoder(encoderName); }

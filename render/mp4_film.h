@@ -30,6 +30,9 @@ class Mp4Film final : public PictureWriter {
   std::unique_ptr<State> state_;
 };
 
+/// Of a film of such pictures: both numbers even.
+Size evenSize(Size picture);
+
 /// Which encoder films are made with ("libx264, libavcodec 59.37.100"), or why there is none.
 Result<std::string> probeEncoder();
 

@@ -3,8 +3,11 @@
 
 #include "engine/core/mixing.h"
 #include "render/chart.h"
+#include "render/draw_bed.h"
+#include "render/draw_sampling.h"
 #include "render/hud.h"
 #include "render/hud_rows.h"
+#include "render/layers.h"
 #include "render/layout.h"
 #include "render/surface.h"
 
@@ -31,6 +34,7 @@ struct Painter::State {
   std::vector<std::string> names;
   std::vector<IndexCurve> curves;
   std::vector<SamplingGrid> grids;
+  std::vector<History> histories;
   Size size;
   Style style;
   PictureLayout layout;
@@ -57,17 +61,23 @@ Result<Painter> Painter::create(std::vector<PaintedBed> beds, const PaintOptions
   const Size size = options.size == Size{} ? defaultSize(scenes, options.style) : options.size;
   std::vector<Diagnostic> problems = sizeProblems(size);
   for (const Scene& scene : scenes)
-    for (Diagnostic& problem : missingFor(scene, options.style.layers))
-      problems.push_back(std::move(problem));
+    for (Diagnostic& problem : missingFor(scene, options.style)) problems.push_back(std::move(problem));
+  if (!problems.empty()) return problems;
+  PictureLayout layout = layoutPicture(scenes, size, options.style);
+  if (options.style.layers.has(Layer::counts))
+    for (std::size_t i = 0; i < scenes.size(); ++i)
+      for (Diagnostic& problem : countsProblems(scenes[i], layout.beds[i].camera, layout.em))
+        problems.push_back(std::move(problem));
   if (!problems.empty()) return problems;
   Result<Surface> surface = Surface::create(options.threads);
   if (!surface) return surface.problems;
 
-  PictureLayout layout = layoutPicture(scenes, size, options.style.layers);
   std::vector<SamplingGrid> grids;
+  std::vector<History> histories;
   double until = 0.0;
   for (const Scene& scene : scenes) {
     grids.push_back(samplingGrid(scene));
+    histories.emplace_back(scene, options.style);
     until = std::max(until, scene.time.duration);
   }
   Hud hud(layout.em);
@@ -76,6 +86,7 @@ Result<Painter> Painter::create(std::vector<PaintedBed> beds, const PaintOptions
                                              std::move(names),
                                              std::move(curves),
                                              std::move(grids),
+                                             std::move(histories),
                                              size,
                                              options.style,
                                              std::move(layout),
@@ -100,35 +111,37 @@ std::size_t Painter::beds() const { return state_->scenes.size(); }
 
 void Painter::observe(std::size_t bed, const Frame& frame) {
   State& s = *state_;
+  s.histories[bed].observe(frame);
   if (s.style.layers.has(Layer::curve)) s.curves[bed].observe(mixingSample(frame, s.grids[bed]));
 }
 
 void Painter::State::drawOverlay(std::span<const Frame* const> frames) {
-  overlay.clear();
   chart.clear();
   for (std::size_t i = 0; i < scenes.size(); ++i) {
     if (style.layers.has(Layer::hud))
-      drawHud(overlay, scenes[i], *frames[i], style.layers, layout.beds[i],
-              scenes.size() > 1 ? names[i] : "");
+      drawHud(overlay, scenes[i], *frames[i], style, layout.beds[i], scenes.size() > 1 ? names[i] : "");
     until = std::max(until, frames[i]->time);
   }
   if (style.layers.has(Layer::curve))
-    drawChart(chart, overlay, layout.chart, indexChart(names, curves), until, layout.em);
+    drawChart(chart, overlay, layout.chart, indexChart(names, curves), until, layout.em,
+              paletteOn(style.ground));
 }
 
 Result<Done> Painter::paint(std::span<const Frame* const> frames, Image& into) {
   State& s = *state_;
   for (std::size_t i = 0; i < s.scenes.size(); ++i)
-    if (std::vector<Diagnostic> missing = missingFor(s.scenes[i], *frames[i], s.style.layers);
-        !missing.empty())
+    if (std::vector<Diagnostic> missing = missingFor(s.scenes[i], *frames[i], s.style); !missing.empty())
       return missing;
   into.resize(s.size);
-  s.surface.begin(into, white);
+  s.surface.begin(into, s.style.ground);
+  s.overlay.clear();
   for (std::size_t i = 0; i < s.scenes.size(); ++i) {
     s.bed.clear();
     s.bed.clip = s.layout.beds[i].view;
-    drawBed(s.bed, s.scenes[i], *frames[i], s.layout.beds[i].camera, s.style, s.layout.em);
+    s.histories[i].observe(*frames[i]);
+    drawBed(s.bed, s.scenes[i], *frames[i], s.layout.beds[i].camera, s.style, s.layout.em, s.histories[i]);
     s.surface.draw(s.bed);
+    s.overlay.texts.insert(s.overlay.texts.end(), s.bed.texts.begin(), s.bed.texts.end());
   }
   s.drawOverlay(frames);
   s.surface.draw(s.overlay);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "render/plot.h"
 
+#include "render/band.h"
 #include "render/gnuplot.h"
 
 #include <fmt/format.h>
@@ -9,6 +10,7 @@
 #include <array>
 #include <cmath>
 #include <iterator>
+#include <optional>
 
 namespace bedmix {
 
@@ -16,7 +18,8 @@ namespace {
 
 constexpr PrintSize column{88.0, 55.0, 600.0};
 constexpr double legendLine = 5.0;       // mm
-constexpr std::size_t legendWidth = 52;  // characters, signs and spaces counted as 8
+constexpr std::size_t legendWidth = 52;  // characters, of which
+constexpr std::size_t signWidth = 8;     // before a label
 
 constexpr std::array mixingColumns{PlotColumn{"lacey", "Lacey"}, PlotColumn{"ashton", "Ashton"}};
 constexpr std::array compareColumns{PlotColumn{"ashton", "Ashton"}};
@@ -24,8 +27,8 @@ constexpr std::array fluxColumns{PlotColumn{"flux", "solids flux"}};
 constexpr std::array pressureColumns{PlotColumn{"pressure_drop", "pressure drop"}};
 
 const std::array kinds{
-    PlotKind{"mixing", "mixing.csv", mixingColumns, "mixing index", 0.0, 1.2},
-    PlotKind{"compare", "mixing.csv", compareColumns, "Ashton index", 0.0, 1.2},
+    PlotKind{"mixing", "mixing.csv", mixingColumns, "mixing index", -0.1, 1.3},
+    PlotKind{"compare", "mixing.csv", compareColumns, "Ashton index", -0.1, 1.3},
     PlotKind{"flux", "flux.csv", fluxColumns, "solids flux leftward, kg/(m\u00b2 s)"},
     PlotKind{"pressure", "pressure.csv", pressureColumns, "pressure drop, Pa"},
 };
@@ -78,26 +81,60 @@ std::string tableOf(std::span<const Curve> curves) {
   return text + '\n';
 }
 
+bool hasBands(std::span<const Curve> curves) {
+  return std::any_of(curves.begin(), curves.end(), [](const Curve& c) { return c.hasBand(); });
+}
+
 /// Whether all the labels fit in one row above the curves.
 bool isShortLegend(std::span<const Curve> curves, std::span<const Level> levels) {
   std::size_t width = 0;
-  for (const Curve& c : curves) width += c.label.size() + 8;
-  for (const Level& l : levels) width += l.label.size() + 8;
-  return width <= legendWidth;
+  for (const Curve& c : curves) width += c.label.size() + signWidth;
+  for (const Level& l : levels) width += l.label.size() + signWidth;
+  return width <= legendWidth && !hasBands(curves);
+}
+
+/// A label that fits into the figure: of a long one beginning and end.
+std::string fitting(std::string label) {
+  constexpr std::size_t most = legendWidth - signWidth, end = most / 2;
+  if (label.size() <= most) return label;
+  const auto within = [&](std::size_t at) { return (static_cast<unsigned char>(label[at]) & 0xC0) == 0x80; };
+  std::size_t from = end - 3, to = label.size() - end;
+  while (within(from)) --from;  // UTF-8
+  while (to < label.size() && within(to)) ++to;
+  return label.substr(0, from) + "..." + label.substr(to);
+}
+
+std::string keyFor(std::span<const Curve> curves, std::span<const Level> levels) {
+  if (curves.size() + levels.size() == 1 && !hasBands(curves)) return "unset key\n";
+  if (isShortLegend(curves, levels)) return "set key tmargin center horizontal Left reverse samplen 2\n";
+  std::string key = "set key tmargin left vertical Left reverse samplen 2 maxcols 1";
+  if (hasBands(curves))
+    key += fmt::format(" title 'median of the runs, band from {:g} to {:g} %' left", 100.0 * bandLow,
+                       100.0 * bandHigh);
+  return key + '\n';
+}
+
+/// The kind's range where that holds the curves, else one that ends at tics beyond them.
+std::string yRange(const PlotKind& kind, std::span<const Curve> curves) {
+  const auto fits = [&](const std::vector<double>& values) {
+    return std::none_of(values.begin(), values.end(),
+                        [&](double y) { return y < kind.yMin || y > kind.yMax; });
+  };
+  const bool all = kind.yMin < kind.yMax && std::all_of(curves.begin(), curves.end(), [&](const Curve& c) {
+                     return fits(c.y) && fits(c.low) && fits(c.high);
+                   });
+  return all ? fmt::format("[{} : {}]", kind.yMin, kind.yMax)
+             : fmt::format("[* < {} : {} < *]", kind.yMin, kind.yMax);
 }
 
 std::string commandsFor(const PlotKind& kind, std::span<const Curve> curves, std::span<const Level> levels) {
   std::string text = "set datafile separator comma\n";
   const auto out = std::back_inserter(text);
-  fmt::format_to(out, "set xlabel 't, s'\nset ylabel {}\nset xrange [0:*]\nset yrange [* < {} : {} < *]\n",
-                 plotText(kind.yLabel), kind.yMin, kind.yMax);
+  fmt::format_to(out, "set xlabel 't, s'\nset ylabel {}\nset xrange [0:*]\nset yrange {}\n",
+                 plotText(kind.yLabel), yRange(kind, curves));
   text += plotFrame;
-  if (curves.size() + levels.size() == 1)
-    text += "unset key\n";
-  else if (isShortLegend(curves, levels))
-    text += "set key outside top center horizontal Left reverse samplen 2\n";
-  else
-    text += "set key outside top left vertical Left reverse samplen 2 maxcols 1\n";
+  text += "set xzeroaxis linewidth 1 linetype 1 linecolor rgb '#A0A0A0'\n";
+  text += keyFor(curves, levels);
 
   std::string bands, lines;
   std::size_t at = 2;  // column of the table
@@ -110,12 +147,12 @@ std::string commandsFor(const PlotKind& kind, std::span<const Curve> curves, std
           at + 1, at + 2, color);
     lines += fmt::format(
         "  data skip 1 using 1:{} with lines linewidth 1 dashtype {} linecolor rgb '{}' title {}, \\\n", at,
-        i / plotColors.size() + 1, color, plotText(curves[i].label));
+        i / plotColors.size() + 1, color, plotText(fitting(curves[i].label)));
     at += curves[i].hasBand() ? 3 : 1;
   }
   for (const Level& level : levels)
-    lines += fmt::format("  {} with lines linewidth 1 dashtype 3 linecolor rgb '#606060' title {}, \\\n",
-                         level.y, plotText(level.label));
+    lines += fmt::format("  {} with lines linewidth 1.2 dashtype 2 linecolor rgb '#606060' title {}, \\\n",
+                         level.y, plotText(fitting(level.label)));
   return text + "plot \\\n" + bands + lines.substr(0, lines.rfind(','));
 }
 
@@ -123,7 +160,7 @@ std::string commandsFor(const PlotKind& kind, std::span<const Curve> curves, std
 PrintSize sizeFor(std::span<const Curve> curves, std::span<const Level> levels) {
   PrintSize size = column;
   if (!isShortLegend(curves, levels))
-    size.height += legendLine * static_cast<double>(curves.size() + levels.size());
+    size.height += legendLine * static_cast<double>(curves.size() + levels.size() + hasBands(curves));
   return size;
 }
 
@@ -141,12 +178,15 @@ Result<const PlotKind*> findPlotKind(std::string_view name) {
   return Diagnostic{{}, fmt::format("there is no kind of plot '{}'; the kinds are {}", name, known)};
 }
 
-Result<Done> writePlot(const std::filesystem::path& path, const PlotKind& kind, std::span<const Curve> curves,
-                       std::span<const Level> levels) {
-  const bool drawable = std::any_of(curves.begin(), curves.end(), [](const Curve& c) {
+bool hasValues(std::span<const Curve> curves) {
+  return std::any_of(curves.begin(), curves.end(), [](const Curve& c) {
     return std::any_of(c.y.begin(), c.y.end(), [](double y) { return std::isfinite(y); });
   });
-  if (!drawable)
+}
+
+Result<Done> writePlot(const std::filesystem::path& path, const PlotKind& kind, std::span<const Curve> curves,
+                       std::span<const Level> levels) {
+  if (!hasValues(curves))
     return Diagnostic{{path.string()}, "there is no value to plot; is the run shorter than a sample?"};
   return drawTable(path, commandsFor(kind, curves, levels), tableOf(curves), sizeFor(curves, levels));
 }

@@ -35,10 +35,13 @@ struct Curve {
   std::string label;
   std::vector<double> x;
   std::vector<double> y;
-  std::vector<double> low, high;
+  std::vector<double> low = {}, high = {};
 
   bool hasBand() const { return !low.empty(); }
 };
+
+/// Whether there is anything to draw.
+bool hasValues(std::span<const Curve> curves);
 
 /// A height the curves are to be seen against.
 struct Level {

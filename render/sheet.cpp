@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "render/sheet.h"
 
+#include "render/draw_bed.h"
+#include "render/draw_sampling.h"
 #include "render/draw_walls.h"
 #include "render/hud.h"
 #include "render/hud_rows.h"
+#include "render/layers.h"
 #include "render/layout.h"
+#include "render/legend.h"
 #include "render/surface.h"
 
 #include <fmt/format.h>
@@ -24,6 +28,7 @@ constexpr float em = 33.0f;            // 8 pt
 constexpr float margin = 0.7f;         // em, around the sheet
 constexpr float gap = 1.2f;            // em, between panels at least
 constexpr float titleBand = 1.9f;      // em, above the panels of a run that has a title
+constexpr float runGap = 0.9f;         // em, between runs
 constexpr float labelBand = 1.5f;      // em, above a panel
 constexpr float scaleBarBand = 1.6f;   // em, below the last row
 constexpr float legendWidth = 13.0f;   // em
@@ -44,7 +49,6 @@ double shownHeight(const SheetRun& run) {
 struct Grid {
   std::size_t columns = 0, rows = 0;
   float top = 0.0f;  // px, of the run's part of the sheet
-  float width = 0.0f, bottom = 0.0f;
   float columnStep = 0.0f, rowStep = 0.0f;
   Vec2f first;  // px, lower left corner of the first bed
   Vec2f bed;    // px, width and height of the part that is shown
@@ -74,44 +78,57 @@ struct Page {
   std::vector<Grid> runs;
   float scale = 0.0f;  // px per m
   int legendRows = 0;
+  Vec2f legend;  // px, its upper left corner
   Size size;
 };
 
-/// Rows of the legend; none where a caption says it as well.
-int legendRows(const Scene& scene, Layers layers) {
-  const int rows = hudRowCount(scene, layers).legend;
-  return rows > hudRowCount(scene, {Layer::particles}).legend ? rows : 0;
+/// Rows of the legend; none where a caption says as well what is tracer.
+int rowsOfLegend(const Style& style) {
+  const Layers said = style.layers.has(Layer::particles) ? Layers{Layer::particles} : Layers{};
+  const int rows = legendRows(style);
+  return style.color != ParticleColor::tracer || rows > legendRows(said) ? rows : 0;
 }
 
-Page arrange(std::span<const SheetRun> runs, Layers layers, const Hud& hud) {
+Page arrange(std::span<const SheetRun> runs, const Style& style, const Hud& hud) {
   Page page;
+  page.legendRows = rowsOfLegend(style);
   page.scale = std::numeric_limits<float>::max();
   for (const SheetRun& run : runs) {
     const Grid& grid = page.runs.emplace_back(run.frames.size());
     const float panel = std::min((inner - grid.gaps()) / static_cast<float>(grid.columns), widestPanel);
     page.scale = std::min(page.scale, panel / static_cast<float>(run.scene->bed.width));
   }
-  float top = margin * em, width = 0.0f;
+  float top = margin * em, panels = 0.0f, width = 0.0f;
   for (std::size_t i = 0; i < runs.size(); ++i) {
     const Scene& scene = *runs[i].scene;
     Grid& grid = page.runs[i];
-    const float below = layers.has(Layer::walls) ? inletArrowHeight(scene, em) : 0.0f;
+    const float below = style.layers.has(Layer::walls) ? inletArrowHeight(scene, em) : 0.0f;
     grid.bed = {page.scale * static_cast<float>(scene.bed.width),
                 page.scale * static_cast<float>(shownHeight(runs[i]))};
     grid.columnStep = grid.bed.x + gap * em;
     grid.rowStep = labelBand * em + grid.bed.y + below + 0.5f * em;
+    if (i > 0) top += runGap * em;
     grid.top = top;
     if (!runs[i].title.empty()) top += titleBand * em;
     grid.first = {margin * em, top + labelBand * em + grid.bed.y};
     top += static_cast<float>(grid.rows) * grid.rowStep;
-    width = std::max({width, static_cast<float>(grid.columns) * grid.bed.x + grid.gaps(),
-                      std::min(hud.width(runs[i].title), inner)});
-    page.legendRows = std::max(page.legendRows, legendRows(scene, layers));
+    panels = std::max(panels, static_cast<float>(grid.columns) * grid.bed.x + grid.gaps());
+    width = std::max({width, panels, std::min(hud.width(runs[i].title), inner)});
   }
-  const float bar = page.legendRows > 0 ? 2.0f * legendWidth * em : 0.0f;
-  const float band = std::max(scaleBarBand, hudLine * static_cast<float>(page.legendRows) + margin);
-  page.size = {static_cast<int>(std::ceil(2.0f * margin * em + std::max(width, std::min(bar, inner)))),
-               static_cast<int>(std::ceil(top + band * em))};
+  float bottom = top + scaleBarBand * em;
+  if (page.legendRows > 0) {
+    const Grid& first = page.runs.front();
+    const float height = hudLine * static_cast<float>(page.legendRows) * em;
+    if (panels + (gap + legendWidth) * em <= inner) {  // beside the panels
+      page.legend = {(margin + gap) * em + panels, first.first.y - first.bed.y};
+      width = std::max(width, panels + (gap + legendWidth) * em);
+      bottom = std::max(bottom, page.legend.y + height);
+    } else {  // beside the scale bar
+      page.legend = {(margin + legendWidth) * em, top};
+      bottom = std::max(bottom, top + height + 0.5f * margin * em);
+    }
+  }
+  page.size = {static_cast<int>(std::ceil(2.0f * margin * em + width)), static_cast<int>(std::ceil(bottom))};
   return page;
 }
 
@@ -129,9 +146,9 @@ std::vector<Diagnostic> problemsOf(std::span<const SheetRun> runs, const Style& 
   std::vector<Diagnostic> problems;
   for (const SheetRun& run : runs) {
     if (run.frames.empty()) problems.push_back({{}, "a sheet needs at least one time"});
-    for (Diagnostic& d : missingFor(*run.scene, style.layers)) problems.push_back(std::move(d));
+    for (Diagnostic& d : missingFor(*run.scene, style)) problems.push_back(std::move(d));
     for (const FramePtr& frame : run.frames)
-      if (problems.empty()) problems = missingFor(*run.scene, *frame, style.layers);
+      if (problems.empty()) problems = missingFor(*run.scene, *frame, style);
     if (!problems.empty()) break;
   }
   return problems;
@@ -175,8 +192,11 @@ Result<Image> drawSheet(std::span<const SheetRun> runs, const Style& style) {
   Hud hud(em);
   std::vector<Diagnostic> problems = problemsOf(runs, style);
   if (!problems.empty()) return problems;
-  const Page page = arrange(runs, style.layers, hud);
+  const Page page = arrange(runs, style, hud);
   problems = sizeProblems(page.size);
+  if (style.layers.has(Layer::counts))
+    for (const SheetRun& run : runs)
+      for (Diagnostic& d : countsProblems(*run.scene, {{}, page.scale}, em)) problems.push_back(std::move(d));
   if (!problems.empty()) return problems;
   Result<Surface> surface = Surface::create(0);
   if (!surface) return surface.problems;
@@ -189,33 +209,31 @@ Result<Image> drawSheet(std::span<const SheetRun> runs, const Style& style) {
 
   Image sheet;
   sheet.resize(page.size);
-  surface->begin(sheet, white);
+  surface->begin(sheet, style.ground);
   DrawList all;  // what does not belong to one panel
   all.clip = {0.0f, 0.0f, static_cast<float>(page.size.width), static_cast<float>(page.size.height)};
+  const Rgba color = paletteOn(style.ground).ink;
   DrawList panel;
   for (std::size_t r = 0; r < runs.size(); ++r) {
     const Grid& grid = page.runs[r];
     for (std::size_t i = 0; i < runs[r].frames.size(); ++i) {
       panel.clear();
       panel.clip = grid.box(i);
-      drawBed(panel, *runs[r].scene, *runs[r].frames[i], {grid.corner(i), page.scale}, style, em);
+      drawBed(panel, *runs[r].scene, *runs[r].frames[i], {grid.corner(i), page.scale}, style, em,
+              runs[r].histories.empty() ? History() : runs[r].histories[i]);
       surface->draw(panel);
       all.texts.insert(all.texts.end(), panel.texts.begin(), panel.texts.end());
       all.texts.push_back({{0.5f * (panel.clip.left + panel.clip.right), panel.clip.top - 0.25f * em},
                            {0.5f, 1.0f},
-                           ink,
+                           color,
                            timeLabel(runs[r].frames[i]->time, decimals)});
     }
     if (!runs[r].title.empty())
-      all.texts.push_back({{grid.first.x, grid.top}, {0.0f, 0.0f}, ink, fitting(runs[r].title, hud)});
+      all.texts.push_back({{grid.first.x, grid.top}, {0.0f, 0.0f}, color, fitting(runs[r].title, hud)});
   }
   const Camera camera{page.runs.front().first, page.scale};
-  drawScaleBar(all, *runs.front().scene, camera, {camera.origin.x, all.clip.bottom - 0.6f * em}, em);
-  if (page.legendRows > 0) {
-    const float rows = hudLine * static_cast<float>(page.legendRows) * em;
-    const Vec2f at{camera.origin.x + legendWidth * em, all.clip.bottom - rows - 0.5f * margin * em};
-    drawLegend(all, *runs.front().scene, style.layers, camera, at, em);
-  }
+  drawScaleBar(all, *runs.front().scene, camera, {camera.origin.x, all.clip.bottom - 0.6f * em}, em, color);
+  if (page.legendRows > 0) drawLegend(all, page.legend, *runs.front().scene, style, camera, em);
   surface->draw(all);
   surface->draw(hud.mesh(page.size, all.texts));
   surface->end();

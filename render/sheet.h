@@ -4,6 +4,7 @@
 #include "engine/core/diagnostic.h"
 #include "engine/core/frame.h"
 #include "engine/core/scene.h"
+#include "render/history.h"
 #include "render/image.h"
 #include "render/style.h"
 
@@ -22,20 +23,21 @@ Result<std::vector<std::size_t>> framesAt(std::span<const double> times, std::sp
 /// goes, at most nine; evenly spaced ones for a run shorter than a second.
 std::vector<double> defaultSheetTimes(double duration);
 
-inline const Style sheetStyle{Layer::particles, Layer::walls};
+inline constexpr Layers sheetLayers{Layer::particles, Layer::walls};
 
 /// A run's panels in a sheet.
 struct SheetRun {
   const Scene* scene = nullptr;
   std::vector<FramePtr> frames;
-  std::string title;  // over its panels; none: no room is left for one
+  std::string title;                    // over its panels; none: no room is left for one
+  std::vector<History> histories = {};  // of each frame, where the style needs one
 };
 
 /// Contact sheet like Tian et al. (2007), Figs 4 and 8: a row a run, its frames side by side, up to nine in a
 /// row, each under its time; one camera for all, cropped to what a run's particles reach; one scale bar; a
 /// legend where more than particles, sampling cells and walls is shown; white ground. Drawn for a print 190
 /// mm wide at 300 dpi: write it with PngOptions::dpi = sheetDpi. There is no place for the HUD in it.
-Result<Image> drawSheet(std::span<const SheetRun> runs, const Style& style = sheetStyle);
+Result<Image> drawSheet(std::span<const SheetRun> runs, const Style& style = sheetLayers);
 inline constexpr double sheetDpi = 300.0;
 
 }  // namespace bedmix

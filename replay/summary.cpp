@@ -53,6 +53,11 @@ struct JsonVisitor {
   void operator()(const Key& key, std::optional<T>& value) {
     if (value) (*this)(key, *value);
   }
+  void operator()(const Key& key, Layers& layers) { into[std::string(key.name)] = layerNames(layers); }
+  void operator()(const Key& key, Rgba& color) { into[std::string(key.name)] = colorText(color); }
+  void operator()(const Key& key, std::vector<std::int64_t>& numbers) {
+    into[std::string(key.name)] = numbers;
+  }
   void operator()(const Key& key, std::vector<GridSpan>& spans) {
     Json& list = into[std::string(key.name)] = Json::array();
     for (const GridSpan& span : spans) list.push_back({span.count, span.size});

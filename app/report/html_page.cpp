@@ -11,6 +11,7 @@
 #include <cstring>
 #include <fstream>
 #include <iterator>
+#include <utility>
 
 namespace fs = std::filesystem;
 
@@ -21,7 +22,7 @@ namespace {
 // Readable on a phone (a table scrolls in itself) and on paper (nothing is torn apart).
 constexpr std::string_view style = R"(
 :root { color-scheme: light; }
-body { margin: 0 auto; padding: 1rem; max-width: 60rem; background: #fff; color: #1a1a1a;
+body { margin: 0 auto; padding: 1rem; max-width: 46rem; background: #fff; color: #1a1a1a;
   font: 1rem/1.5 system-ui, "DejaVu Sans", Arial, sans-serif; overflow-wrap: break-word; }
 h1 { font-size: 1.6rem; line-height: 1.25; margin: .5rem 0 1rem; }
 h2 { font-size: 1.25rem; margin: 2.5rem 0 .75rem; border-bottom: 1px solid #ccc; padding-bottom: .25rem; }
@@ -29,6 +30,8 @@ h3 { font-size: 1rem; margin: 1.5rem 0 .5rem; }
 p { max-width: 42rem; }
 figure { margin: 1rem 0 1.5rem; }
 figure img, figure video { display: block; max-width: 100%; height: auto; }
+.wide { overflow-x: auto; }
+.wide img { width: 100%; min-width: 36rem; max-width: none; }
 figcaption { font-size: .875rem; color: #444; margin-top: .5rem; max-width: 42rem; }
 .scroll { overflow-x: auto; }
 table { border-collapse: collapse; font-size: .9375rem; margin: .5rem 0 1rem; }
@@ -40,10 +43,13 @@ pre { white-space: pre-wrap; background: #f6f6f6; padding: .75rem; font: .8125re
 @media print {
   body { max-width: none; padding: 0; font-size: 10pt; }
   h2, h3 { break-after: avoid; }
+  .wide img { min-width: 0; }
   figure, tr { break-inside: avoid; }
   .screen { display: none; }
 }
 )";
+
+constexpr double widest = 150.0;  // mm, of a picture that a phone may shrink; a wider one scrolls in itself
 
 Result<std::string> bytesOf(const fs::path& path) {
   std::ifstream file(path, std::ios::binary);
@@ -100,15 +106,20 @@ HtmlPage::HtmlPage(std::string_view title) : title_(htmlText(title)) {
   body_ = fmt::format("<h1>{}</h1>\n", title_);
 }
 
-void HtmlPage::heading(std::string_view text) { body_ += fmt::format("<h2>{}</h2>\n", htmlText(text)); }
-void HtmlPage::subheading(std::string_view text) { body_ += fmt::format("<h3>{}</h3>\n", htmlText(text)); }
-void HtmlPage::paragraph(std::string_view text) { body_ += fmt::format("<p>{}</p>\n", htmlText(text)); }
-void HtmlPage::verbatim(std::string_view text) { body_ += fmt::format("<pre>{}</pre>\n", htmlText(text)); }
+void HtmlPage::heading(std::string_view text) { heading_ = fmt::format("<h2>{}</h2>\n", htmlText(text)); }
+void HtmlPage::subheading(std::string_view text) { add(fmt::format("<h3>{}</h3>\n", htmlText(text))); }
+void HtmlPage::paragraph(std::string_view text) { add(fmt::format("<p>{}</p>\n", htmlText(text))); }
+void HtmlPage::verbatim(std::string_view text) { add(fmt::format("<pre>{}</pre>\n", htmlText(text))); }
+
+void HtmlPage::add(std::string_view html) {
+  body_ += std::exchange(heading_, {});
+  body_ += html;
+}
 
 void HtmlPage::table(const std::vector<std::string>& head,
                      const std::vector<std::vector<std::string>>& rows) {
   if (rows.empty()) return;
-  body_ += "<div class=\"scroll\"><table>\n<thead><tr>";
+  add("<div class=\"scroll\"><table>\n<thead><tr>");
   for (const std::string& cell : head) body_ += fmt::format("<th scope=\"col\">{}</th>", htmlText(cell));
   body_ += "</tr></thead>\n<tbody>\n";
   for (const auto& row : rows) {
@@ -123,7 +134,7 @@ Result<Done> HtmlPage::figure(const fs::path& file, std::string_view before, std
                               std::string_view caption) {
   const auto bytes = bytesOf(file);
   if (!bytes) return bytes.problems;
-  body_ += before;
+  add(before);
   body_ += base64(*bytes);
   body_ += after;
   body_ += fmt::format("\n<figcaption>{}</figcaption></figure>\n", htmlText(caption));
@@ -132,14 +143,18 @@ Result<Done> HtmlPage::figure(const fs::path& file, std::string_view before, std
 
 Result<Done> HtmlPage::picture(const fs::path& png, double width, std::string_view alt,
                                std::string_view caption) {
-  return figure(png, "<figure><img src=\"data:image/png;base64,",
-                fmt::format("\" alt=\"{}\" style=\"width: {:g}mm\" />", htmlText(alt), width), caption);
+  const bool wide = width > widest;
+  const std::string size = wide ? "" : fmt::format(" style=\"width: {:.0f}mm\"", width);
+  return figure(png,
+                fmt::format("<figure{}><img src=\"data:image/png;base64,", wide ? " class=\"wide\"" : ""),
+                fmt::format("\" alt=\"{}\"{} />", htmlText(alt), size), caption);
 }
 
 Result<Done> HtmlPage::film(const fs::path& mp4, std::string_view alt, std::string_view caption) {
-  return figure(
-      mp4, "<figure class=\"screen\"><video controls=\"controls\" loop=\"loop\" src=\"data:video/mp4;base64,",
-      fmt::format("\" aria-label=\"{}\"></video>", htmlText(alt)), caption);
+  return figure(mp4,
+                "<figure><video class=\"screen\" controls=\"controls\" loop=\"loop\" "
+                "playsinline=\"playsinline\" src=\"data:video/mp4;base64,",
+                fmt::format("\" aria-label=\"{}\"></video>", htmlText(alt)), caption);
 }
 
 Result<Done> HtmlPage::write(const fs::path& path) const {

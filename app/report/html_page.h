@@ -17,6 +17,7 @@ class HtmlPage {
  public:
   explicit HtmlPage(std::string_view title);
 
+  /// Left out where nothing follows before the next one.
   void heading(std::string_view text);
   void subheading(std::string_view text);
   void paragraph(std::string_view text);
@@ -24,7 +25,8 @@ class HtmlPage {
   void table(const std::vector<std::string>& head, const std::vector<std::vector<std::string>>& rows);
   /// Text as it was typed, long lines broken.
   void verbatim(std::string_view text);
-  /// A PNG, at most `width` mm wide. `alt` says in words what it shows, `caption` stands below it.
+  /// A PNG, `width` mm wide where there is room. `alt` says in words what it shows, `caption` stands below
+  /// it.
   Result<Done> picture(const std::filesystem::path& png, double width, std::string_view alt,
                        std::string_view caption);
   /// An MP4 with controls.
@@ -34,10 +36,11 @@ class HtmlPage {
   Result<Done> write(const std::filesystem::path& path) const;
 
  private:
+  void add(std::string_view html);
   Result<Done> figure(const std::filesystem::path& file, std::string_view before, std::string_view after,
                       std::string_view caption);
 
-  std::string title_, body_;
+  std::string title_, body_, heading_;
 };
 
 /// As text in HTML, quotes included.

@@ -3,18 +3,15 @@
 
 #include "app/check_report.h"
 #include "app/curves.h"
-#include "app/png_text.h"
 #include "app/report/html_page.h"
 #include "app/report/run_film.h"
 #include "app/report/run_numbers.h"
 #include "app/report/run_record.h"
 #include "engine/core/scene_reader.h"
-#include "render/painter.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 
 namespace fs = std::filesystem;
 
@@ -22,9 +19,7 @@ namespace bedmix {
 
 namespace {
 
-// Widths in print, mm.
-constexpr double pageWidth = 190.0, plotWidth = 140.0, bedWidth = 80.0;
-constexpr double bedDpi = 300.0;
+constexpr double plotWidth = 140.0;  // mm
 constexpr double momentShown = 1.0;  // s, of velocities and cells, as in Tian et al. (2007), Fig. 9
 
 class Report {
@@ -35,9 +30,9 @@ class Report {
   }
 
   Result<Done> write() {
-    for (const auto section :
-         {&Report::numbers, &Report::snapshots, &Report::mixing, &Report::flux, &Report::velocities,
-          &Report::cells, &Report::pressure, &Report::films, &Report::records, &Report::scenes})
+    for (const auto section : {&Report::beginning, &Report::numbers, &Report::snapshots, &Report::mixing,
+                               &Report::flux, &Report::velocities, &Report::cells, &Report::pressure,
+                               &Report::film, &Report::records, &Report::scenes})
       if (auto done = (this->*section)(); !done) return done;
     const fs::path file = folder_ / "report.html";
     auto written = page_.write(file);
@@ -47,9 +42,7 @@ class Report {
 
  private:
   std::string title() const {
-    std::string text;
-    for (const std::string& run : titles_) text += (text.empty() ? "" : " | ") + run;
-    return text;
+    return several() ? fmt::format("{} runs compared", runs_.size()) : titles_.front();
   }
   bool several() const { return runs_.size() > 1; }
 
@@ -66,6 +59,18 @@ class Report {
     return several() ? fmt::format("{}: {}", titles_[indexOf(run)], text) : text;
   }
   std::size_t indexOf(const RecordedRun& run) const { return static_cast<std::size_t>(&run - runs_.data()); }
+
+  /// Which runs these are, by the names the page goes on to call them.
+  Result<Done> beginning() {
+    for (std::size_t i = 0; i < runs_.size(); ++i) {
+      const std::string which =
+          fmt::format("scene {}, seed {}, {:g} to {:g} s", runs_[i].scene().name, runs_[i].scene().seed,
+                      runs_[i].reader.times().front(), runs_[i].end());
+      page_.paragraph(several() ? fmt::format("{}: {} ({})", runs_[i].name, titles_[i], which)
+                                : fmt::format("Run {}: {}", runs_[i].name, which));
+    }
+    return Done{};
+  }
 
   Result<Done> numbers() {
     std::vector<std::string> head{""};
@@ -88,110 +93,97 @@ class Report {
   }
 
   Result<Done> snapshots() {
-    const auto image = sheetOf(runs_, {}, sheetStyle);
-    if (!image) return image.problems;
-    const fs::path file = folder_ / "sheet.png";
-    if (auto done = writePng(file, *image, sheetPng(runs_)); !done) return done;
-    say(file);
     page_.heading("Snapshots");
-    return page_.picture(
-        file, std::min(pageWidth, image->size.width / sheetDpi * 25.4),
-        fmt::format("The bed at several times: {}", title()),
-        "The bed at the times above the panels: tracer black, the rest green; arrows below: gas.");
+    return beds(runs_, {}, sheetLayers, folder_ / "sheet.png", title(),
+                "The bed at the times above the panels: tracer black, the rest green; arrows below: gas.");
   }
 
   Result<Done> mixing() {
-    const PlotKind& kind = **findPlotKind("mixing");
     page_.heading("Mixing");
     for (std::size_t i = 0; i < runs_.size(); ++i) {
-      const auto done = curves(std::span(paths_).subspan(i, 1), kind, fileOf(runs_[i], "mixing.png"),
+      const auto done = curves(std::span(paths_).subspan(i, 1), "mixing", fileOf(runs_[i], "mixing.png"),
                                about(runs_[i], "Lacey's and Ashton's indices of mixing over time."));
       if (!done) return done;
     }
     if (!several()) return Done{};
-    return curves(paths_, **findPlotKind("compare"), folder_ / "compare.png", "Ashton's index of the runs.");
+    return curves(paths_, "compare", folder_ / "compare.png", "Ashton's index of the runs.");
   }
-
   Result<Done> flux() {
-    return overTime("flux", "Solids flux",
-                    "Solids flux through the window on the bed's centre line, positive leftward.");
+    page_.heading("Solids flux");
+    return curves(paths_, "flux", folder_ / "flux.png",
+                  "Solids flux through the scene's window, positive leftward.");
   }
   Result<Done> pressure() {
-    return overTime(
-        "pressure", "Pressure drop",
+    page_.heading("Pressure drop");
+    return curves(
+        paths_, "pressure", folder_ / "pressure.png",
         "Pressure drop of the gas over the bed; dashed, where drawn: the weight of the particles per area.");
   }
 
-  /// The plot of those of the runs that have such a series.
-  Result<Done> overTime(const char* name, const char* heading, const char* caption) {
-    const PlotKind& kind = **findPlotKind(name);
-    std::vector<std::string> with;
-    for (const std::string& path : paths_)
-      if (hasSeries(path, kind)) with.push_back(path);
-    if (with.empty()) return Done{};
-    page_.heading(heading);
-    return curves(with, kind, folder_ / fmt::format("{}.png", name), caption);
-  }
-
-  Result<Done> curves(std::span<const std::string> runs, const PlotKind& kind, const fs::path& file,
+  /// The plot of those of the runs that have something to draw, if any.
+  Result<Done> curves(std::span<const std::string> runs, const char* kindName, const fs::path& file,
                       const std::string& caption) {
-    const auto drawn = curvesOf(runs, kind);
+    const PlotKind& kind = **findPlotKind(kindName);
+    std::vector<std::string> with;
+    for (const std::string& run : runs)
+      if (hasSeries(run, kind)) with.push_back(run);
+    const auto drawn = curvesOf(with, kind);
     if (!drawn) return drawn.problems;
-    if (auto done = writePlot(file, kind, *drawn, levelsOf(runs, kind)); !done) return done;
+    if (!hasValues(*drawn)) return Done{};
+    if (auto done = writePlot(file, kind, *drawn, levelsOf(with, kind)); !done) return done;
     say(file);
     return page_.picture(file, plotWidth, caption, caption);
   }
 
   Result<Done> velocities() {
     page_.heading("Velocities");
-    return moments({Layer::velocity, Layer::walls, Layer::hud}, "velocity.png",
-                   "mean velocity of the particles");
+    return moments({Layer::sampling, Layer::flow, Layer::walls}, "velocity.png",
+                   "Mean velocity of the particles in each sampling cell");
   }
   Result<Done> cells() {
     page_.heading("Sampling");
-    return moments({Layer::particles, Layer::sampling, Layer::walls, Layer::hud}, "sampling.png",
-                   "the cells in which tracer is counted");
+    return moments(
+        {Layer::particles, Layer::sampling, Layer::counts, Layer::walls}, "sampling.png",
+        "The cells in which tracer is counted, with the particles and the tracer fraction of those in use");
   }
 
-  /// A picture of each run at one moment.
-  Result<Done> moments(Layers layers, const char* name, const char* what) {
+  /// Each run at the moment of velocities and cells, or at its end.
+  Result<Done> moments(const Style& style, const char* name, const char* what) {
     for (RecordedRun& run : runs_) {
-      const auto index = framesAt(run.reader.times(), std::array{std::min(momentShown, run.end())});
-      if (!index) return index.problems;
-      const auto frame = run.reader.frame(index->front());
-      if (!frame) return frame.problems;
-      PaintOptions paint;
-      const Size usual = defaultSize(run.scene());
-      paint.size = {2 * usual.width, 2 * usual.height};
-      paint.style = layers;
-      auto painter = Painter::create(run.scene(), paint);
-      if (!painter) return painter.problems;
-      Image image;
-      if (auto done = painter->paint(**frame, image); !done) return done;
-      const fs::path file = fileOf(run, name);
+      const double time = std::min(momentShown, run.end());
+      const std::string caption = about(run, fmt::format("{} at {:g} s.", what, time));
       if (auto done =
-              writePng(file, image, {.small = true, .text = withFrame(pngText(run.scene()), **frame), .dpi = bedDpi});
+              beds(std::span(&run, 1), {time}, style, fileOf(run, name), titles_[indexOf(run)], caption);
           !done)
         return done;
-      say(file);
-      const std::string caption = about(run, fmt::format("{} at {:g} s.", what, (*frame)->time));
-      if (auto done = page_.picture(file, bedWidth, caption, caption); !done) return done;
     }
     return Done{};
   }
 
-  Result<Done> films() {
-    page_.heading("Film");
-    for (RecordedRun& run : runs_) {
-      const fs::path file = fileOf(run, "film.mp4");
-      if (auto done = filmForPage(run.reader, file, console_); !done) return done;
-      say(file);
-      const double from = run.reader.times().front();
-      const std::string caption = about(run, fmt::format("{:g} to {:g} s, {:g} simulated seconds a second.",
-                                                         from, run.end(), filmSpeed(run.end() - from)));
-      if (auto done = page_.film(file, "Film of the bed, " + caption, caption); !done) return done;
+  /// A sheet of runs.
+  Result<Done> beds(std::span<RecordedRun> runs, std::vector<double> times, const Style& style,
+                    const fs::path& file, const std::string& of, const std::string& caption) {
+    const auto image = sheetOf(runs, std::move(times), style);
+    if (!image) return image.problems;
+    if (auto done = writePng(file, *image, sheetPng(runs)); !done) return done;
+    say(file);
+    return page_.picture(file, image->size.width / sheetDpi * 25.4, fmt::format("{}: {}", of, caption),
+                         caption);
+  }
+
+  Result<Done> film() {
+    const fs::path file = folder_ / "film.mp4";
+    if (auto done = filmForPage(runs_, file, console_); !done) return done;
+    say(file);
+    double from = runs_.front().reader.times().front(), to = runs_.front().end();
+    for (const RecordedRun& run : runs_) {
+      from = std::min(from, run.reader.times().front());
+      to = std::max(to, run.end());
     }
-    return Done{};
+    const std::string caption = fmt::format("{}: {:g} to {:g} s, {:g} simulated seconds a second.",
+                                            file.filename().string(), from, to, filmSpeed(to - from));
+    page_.heading("Film");
+    return page_.film(file, fmt::format("{}, film: {}", title(), caption), caption);
   }
 
   Result<Done> records() {

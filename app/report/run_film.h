@@ -2,9 +2,10 @@
 #pragma once
 
 #include "app/console.h"
-#include "replay/trajectory_reader.h"
+#include "app/recorded_runs.h"
 
 #include <filesystem>
+#include <span>
 
 namespace bedmix {
 
@@ -12,8 +13,10 @@ namespace bedmix {
 /// lasts 8 to 20 s.
 double filmSpeed(double duration);
 
-/// Films a run for a web page: half the size of a usual film, at filmSpeed(), so that its file stays small
-/// whatever the length of the run. Reads the frames that are shown, no others.
-Result<Done> filmForPage(TrajectoryReader& reader, const std::filesystem::path& mp4, const Console& console);
+/// Films runs (at least one) for a web page, side by side, with their indices as curves: half the size of a
+/// usual film, at filmSpeed(), so that the file stays small whatever the length of the runs. Reads the frames
+/// that are shown, no others.
+Result<Done> filmForPage(std::span<RecordedRun> runs, const std::filesystem::path& mp4,
+                         const Console& console);
 
 }  // namespace bedmix

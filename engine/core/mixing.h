@@ -28,6 +28,10 @@ struct CellCounts {
 /// A particle on an edge belongs to the cell to its right or above, on the outermost edges to the last cell.
 CellCounts countCells(const Frame& frame, const SamplingGrid& grid);
 
+/// Mean velocity of the particles in each cell, m/s, in the same order; zero where there are fewer than
+/// `fewest`.
+std::vector<Vec2> meanVelocities(const Frame& frame, const SamplingGrid& grid, std::int32_t fewest);
+
 /// One row of mixing.csv. What is not defined at an instant (no used cell; no variance; one species only) is
 /// empty.
 struct MixingSample {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "engine/core/models.h"
+#include "engine/core/picture_settings.h"
 #include "engine/core/step_length.h"
 
 #include <cstdint>
@@ -140,7 +141,8 @@ struct Scene {
   SamplingSettings sampling;
   std::optional<FluxSettings> flux;
   LimitSettings limits;
-  Refinement refinement;  // of the steps since the scene was read, not a key
+  std::optional<PictureSettings> pictures;  // what they show where nobody says otherwise
+  Refinement refinement;                    // of the steps since the scene was read, not a key
 };
 
 // What follows from the settings.

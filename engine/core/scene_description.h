@@ -163,6 +163,18 @@ void describe(LimitSettings& s, V& visit) {
 }
 
 template <class V>
+void describe(PictureSettings& s, V& visit) {
+  visit(Key{"layers", "", {}, "what is shown"}, s.layers);
+  visit(Key{"color", "", {}, "what colours the particles"}, s.color);
+  visit(Key{"classes", "", {1.0, 1000.0}, "number of classes of the colours height and strips"}, s.classes);
+  visit(Key{"background", "", {}, "colour behind the bed"}, s.ground);
+  visit(Key{"bubble_voidage", "", {0.0, 1.0, true}, "voidage at which the layer bubbles draws a line"},
+        s.bubbleVoidage);
+  visit(Key{"trails", "", {0.0, 1e8}, "numbers of the particles that leave a trail, from 0"}, s.trails);
+  visit(Key{"trail_time", "s", positive, "time that a trail shows"}, s.trailTime);
+}
+
+template <class V>
 void describe(Scene& s, V& visit) {
   visit(Key{"title", "", {}, "one line for people"}, s.title);
   visit(Key{"seed", "", {0.0, 9.2e18}, "of the random start"}, s.seed);
@@ -185,6 +197,7 @@ void describe(Scene& s, V& visit) {
   visit(Key{"sampling", "", {}, "cells and interval of the mixing indices"}, s.sampling);
   visit(Key{"flux", "", {}, "switches on the solids flux through an upright window"}, s.flux);
   visit(Key{"limits", "", {}, "when a run is stopped"}, s.limits);
+  visit(Key{"pictures", "", {}, "what pictures show where the command line does not say"}, s.pictures);
 }
 
 }  // namespace bedmix

@@ -26,6 +26,12 @@ class KeyCollector {
   }
   void operator()(const Key& key, std::vector<GridSpan>&) { add(key, "list of [count, size]", ""); }
 
+  void operator()(const Key& key, std::vector<std::int64_t>&) { add(key, "list of whole numbers", "[]"); }
+  void operator()(const Key& key, Layers& v) { add(key, "list of " + names<Layer>(), tomlNames(v)); }
+  void operator()(const Key& key, Rgba& v) {
+    add(key, "\"white\", \"black\" or \"#rrggbb\"", tomlString(colorText(v)));
+  }
+
   void operator()(const Key& key, std::vector<Inlet>&) {
     Inlet inlet;
     descend(key, "list of tables", inlet);
@@ -105,6 +111,13 @@ std::string tomlNumber(double value) {
   std::string text = fmt::format("{}", value);
   if (text.find_first_of(".en") == std::string::npos) text += ".0";
   return text;
+}
+
+std::string tomlNames(Layers layers) {
+  std::string list;
+  for (const std::string_view name : layerNames(layers))
+    list += fmt::format("{}\"{}\"", list.empty() ? "" : ", ", name);
+  return '[' + list + ']';
 }
 
 std::string tomlString(const std::string& text) {

@@ -25,6 +25,9 @@ std::string rangeText(const Key& key);
 /// A number as TOML writes it, shortest round trip.
 std::string tomlNumber(double value);
 
+/// Names of layers as a TOML list, in the order they are drawn.
+std::string tomlNames(Layers layers);
+
 /// A text as a TOML basic string, quoted and escaped.
 std::string tomlString(const std::string& text);
 

@@ -76,6 +76,9 @@ class TableReader {
   static std::string nameOf(const Key& key, const std::vector<GridSpan>&, const std::string&) {
     return fmt::format("the key \"{}\"", key.name);
   }
+  static std::string nameOf(const Key& key, const std::vector<std::int64_t>&, const std::string&) {
+    return fmt::format("the key \"{}\"", key.name);
+  }
   static std::string nameOf(const Key&, const std::vector<Inlet>&, const std::string& path) {
     return fmt::format("tables [[{}]]", path);
   }
@@ -198,6 +201,36 @@ class TableReader {
       read(Key{"count", "", {1.0, 1e5}, "cells of the stretch"}, *pair->get(0), at, span.count);
       read(Key{"size", "m", positive, "size of a cell"}, *pair->get(1), at, span.size);
     }
+  }
+
+  void read(const Key& key, const toml::node& node, const std::string& path, Layers& layers) {
+    const auto* list = node.as_array();
+    if (!list) return wrongType(node, path, "a list of names, e.g. [\"particles\", \"walls\"]");
+    if (isTooLong(*list, path)) return;
+    layers = {};
+    std::size_t index = 0;
+    for (const toml::node& element : *list) {
+      Layer layer{};
+      read(key, element, join(path, std::to_string(index++)), layer);
+      layers.add(layer);
+    }
+  }
+
+  void read(const Key&, const toml::node& node, const std::string& path, Rgba& color) {
+    constexpr std::string_view wanted = "\"white\", \"black\" or a colour like \"#1a2b3c\"";
+    const auto* text = node.as_string();
+    const auto parsed = text ? parseColor(text->get()) : std::nullopt;
+    if (!parsed) return wrongType(node, path, wanted);
+    color = *parsed;
+  }
+
+  void read(const Key& key, const toml::node& node, const std::string& path,
+            std::vector<std::int64_t>& numbers) {
+    const auto* list = node.as_array();
+    if (!list) return wrongType(node, path, "a list of whole numbers, e.g. [0, 500]");
+    if (isTooLong(*list, path)) return;
+    for (const toml::node& element : *list)
+      read(key, element, join(path, std::to_string(numbers.size())), numbers.emplace_back());
   }
 
   void read(const Key&, const toml::node& node, const std::string& path, std::vector<Inlet>& inlets) {

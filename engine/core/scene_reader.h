@@ -36,5 +36,7 @@ struct Contradiction {
   std::vector<std::string> concerns;  // the other keys it follows from
 };
 std::vector<Contradiction> contradictions(const Scene& scene);
+/// The same of settings of pictures, which need not be the scene's own.
+std::vector<Contradiction> contradictions(const Scene& scene, const PictureSettings& pictures);
 
 }  // namespace bedmix

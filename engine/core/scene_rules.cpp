@@ -36,6 +36,8 @@ class Rules {
     if (scene_.limits.warnOverlap > scene_.limits.maxOverlap)
       add("limits.warn_overlap", {"limits.max_overlap"},
           "the warning lies above the limit that ends the run");
+    if (scene_.pictures)
+      for (Contradiction& c : contradictions(scene_, *scene_.pictures)) broken_.push_back(std::move(c));
     return std::move(broken_);
   }
 

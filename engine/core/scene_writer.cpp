@@ -26,6 +26,12 @@ class TableWriter {
     line(key, v.isAutomatic() ? tomlString(automaticStep) : tomlNumber(v));
   }
 
+  void operator()(const Key& key, Layers& v) { line(key, tomlNames(v)); }
+  void operator()(const Key& key, Rgba& v) { line(key, tomlString(colorText(v))); }
+  void operator()(const Key& key, std::vector<std::int64_t>& v) {
+    line(key, fmt::format("[{}]", fmt::join(v, ", ")));
+  }
+
   void operator()(const Key& key, std::vector<GridSpan>& spans) {
     std::string list;
     for (const GridSpan& s : spans)

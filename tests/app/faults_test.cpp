@@ -170,7 +170,22 @@ TEST_F(Faults, ReplayOptions) {
 
 TEST_F(Faults, PictureOptions) {
   runTiny();
-  expectFault(2, "--layers", {"render", "r", "-o", "x.png", "--layers", "particels"});
+  expectFault(2, "--layers: pictures.layers.0 has no \"particels\"; did you mean \"particles\"?",
+              {"render", "r", "-o", "x.png", "--layers", "particels"});
+  expectFault(2, "--layers: pictures.layers.1 has no \"\"",
+              {"render", "r", "-o", "x.png", "--layers", "walls,"});
+  expectFault(2, "--color: pictures.color has no \"sped\"; did you mean \"speed\"?",
+              {"render", "r", "-o", "x.png", "--color", "sped"});
+  expectFault(2, "--color: pictures.classes must be a whole number",
+              {"render", "r", "-o", "x.png", "--color", "strips:"});
+  expectFault(2, "--color: pictures.classes is 0", {"render", "r", "-o", "x.png", "--color", "strips:0"});
+  expectFault(2, "--background: pictures.background must be",
+              {"render", "r", "-o", "x.png", "--background", "blue"});
+  expectFault(2, "--trails: there is no particle 60", {"render", "r", "-o", "x.png", "--trails", "3,60"});
+  expectFault(2, "--picture trail_tme=1: unknown key \"trail_tme\" in [pictures]; did you mean",
+              {"render", "r", "-o", "x.png", "--picture", "trail_tme=1"});
+  expectFault(2, "'counts' has no room in sampling cells",
+              {"render", "r", "-o", "x.png", "--layers", "counts", "--size", "40x60"});
   expectFault(2, "--size", {"render", "r", "-o", "x.png", "--size", "99999x100"});
   expectFault(2, "--size", {"render", "r", "-o", "x.mp4", "--size", "large"});
   expectFault(2, "--time", {"render", "r", "-o", "x.png", "--time", "3"});
@@ -187,6 +202,8 @@ TEST_F(Faults, PictureOptions) {
 TEST_F(Faults, GasLayerOfARunWithoutGas) {
   ASSERT_EQ(bedmix({"run", "settling", "-o", "s", "--until", "0.01"}).exitCode, 0);
   expectFault(2, "gas", {"render", "s", "-o", "x.png", "--layers", "particles,voidage"});
+  expectFault(2, "--color: the colour 'voidage' needs the gas",
+              {"render", "s", "-o", "x.png", "--color", "voidage"});
   expectFault(4, "has no pressure.csv", {"plot", "s", "-o", "x.png", "--kind", "pressure"});
 }
 

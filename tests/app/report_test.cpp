@@ -61,6 +61,21 @@ std::vector<std::string> tagsOf(const Page& page, const std::string& name) {
   return found;
 }
 
+/// Bytes of a data URI.
+std::string decoded(const std::string& uri) {
+  const std::string digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  std::string bytes;
+  unsigned group = 0;
+  int bits = 0;
+  for (std::size_t i = uri.find(',') + 1; i < uri.size() && uri[i] != '='; ++i) {
+    group = (group << 6 | static_cast<unsigned>(digits.find(uri[i]))) & 0xFFFFu;
+    if ((bits += 6) < 8) continue;
+    bits -= 8;
+    bytes += static_cast<char>(group >> bits & 0xFFu);
+  }
+  return bytes;
+}
+
 std::set<std::string> filesIn(const fs::path& folder) {
   std::set<std::string> names;
   for (const auto& entry : fs::directory_iterator(folder)) names.insert(entry.path().filename().string());
@@ -95,6 +110,8 @@ TEST_F(PipelineReport, IsOnePageWithEverythingInside) {
   EXPECT_EQ(pictures.size(), 6u);
   ASSERT_EQ(films.size(), 1u);
   EXPECT_TRUE(attribute(films[0], "src").starts_with("data:video/mp4;base64,"));
+  EXPECT_TRUE(decoded(attribute(films[0], "src")) == readFile(folder / "out/film.mp4"));
+  EXPECT_TRUE(decoded(attribute(pictures[0], "src")) == readFile(folder / "out/sheet.png"));
   for (const std::string& picture : pictures) {
     EXPECT_TRUE(attribute(picture, "src").starts_with("data:image/png;base64,iVBORw0KGgo"));
     EXPECT_GT(attribute(picture, "alt").size(), 10u);
@@ -115,16 +132,15 @@ TEST_F(PipelineReport, IsTheSameBytesTwice) {
 
 TEST_F(PipelineReport, LeavesOutWhatARunDoesNotHave) {
   ASSERT_EQ(bedmix({"run", "settling", "-o", "s", "--until", "0.02"}).exitCode, 0);
-  fs::remove(folder / "s/summary.json");
+  for (const char* name : {"s/summary.json", "s/mixing.csv"}) fs::remove(folder / name);
   const Outcome o = bedmix({"report", "s", "-o", "out"});
   ASSERT_EQ(o.exitCode, 0) << o.err;
   const auto files = filesIn(folder / "out");
-  EXPECT_TRUE(files.contains("mixing.png"));
-  EXPECT_FALSE(files.contains("flux.png"));
-  EXPECT_FALSE(files.contains("pressure.png"));
+  EXPECT_EQ(files,
+            (std::set<std::string>{"film.mp4", "report.html", "sampling.png", "sheet.png", "velocity.png"}));
   const Page page = parse(readFile(folder / "out/report.html"));
   EXPECT_EQ(page.error, "");
-  for (const char* said : {"flux", "Pressure drop", "state hash", "share"})
+  for (const char* said : {"Key numbers", "Mixing", "Solids flux", "Pressure drop", "state hash", "share"})
     EXPECT_EQ(page.text.find(said), std::string::npos) << said;
 }
 
@@ -135,11 +151,11 @@ TEST_F(PipelineReport, ComparesRunsWithAndWithoutGas) {
   ASSERT_EQ(o.exitCode, 0) << o.err;
   const auto files = filesIn(folder / "out");
   for (const char* name : {"sheet.png", "compare.png", "pressure.png", "gas-run-mixing.png",
-                           "still-run-mixing.png", "gas-run-film.mp4", "still-run-velocity.png"})
+                           "still-run-mixing.png", "film.mp4", "still-run-velocity.png"})
     EXPECT_TRUE(files.contains(name)) << name;
   const Page page = parse(readFile(folder / "out/report.html"));
   EXPECT_EQ(page.error, "");
-  EXPECT_EQ(tagsOf(page, "video").size(), 2u);
+  EXPECT_EQ(tagsOf(page, "video").size(), 1u);  // side by side
 }
 
 TEST_F(PipelineReport, ReplacesItsOwnFilesOnly) {
@@ -173,11 +189,10 @@ TEST_F(PipelineReport, PlotsSeedsAsABand) {
   const Outcome o = bedmix({"plot", "s1", "s2", "light", "s3", "-o", "p.svg", "--kind", "flux", "--band"});
   ASSERT_EQ(o.exitCode, 0) << o.err;
   const std::string header = readFile(folder / "p.svg.csv");
-  EXPECT_EQ(
-      header.substr(0, header.find('\n')),
-      "time,\"s1, median of 3, 10-90 %\",\"s1, median of 3, 10-90 % low\",\"s1, median of 3, 10-90 % high\","
-      "\"light, median of 1, 10-90 %\",\"light, median of 1, 10-90 % low\",\"light, median of 1, 10-90 % "
-      "high\"");
+  EXPECT_EQ(header.substr(0, header.find('\n')),
+            "time,\"s1, 3 runs\",\"s1, 3 runs low\",\"s1, 3 runs high\","
+            "\"light, 1 run\",\"light, 1 run low\",\"light, 1 run "
+            "high\"");
 }
 
 class FaultsOfFigures : public ProgramTest {
@@ -196,8 +211,10 @@ TEST_F(FaultsOfFigures, AreExplainedAndLeaveNoFile) {
   expectFault(4, "nowhere", {"sheet", "r", "nowhere", "-o", "s.png"});
   expectFault(2, "--times: there is no frame at t = 9 s; the run goes from 0 to 0.05 s",
               {"sheet", "r", "-o", "s.png", "--times", "0,9"});
-  expectFault(2, "--layers: there is no layer", {"sheet", "r", "-o", "s.png", "--layers", "particels"});
-  expectFault(2, "--layers: hud has no place in a sheet", {"sheet", "r", "-o", "s.png", "--layers", "hud"});
+  expectFault(2, "--layers: pictures.layers.0 has no \"particels\"; did you mean \"particles\"?",
+              {"sheet", "r", "-o", "s.png", "--layers", "particels"});
+  expectFault(2, "--layers: hud and curve have no place in a sheet",
+              {"sheet", "r", "-o", "s.png", "--layers", "hud"});
   expectFault(2, "--kind: there is no kind of plot 'histogram'",
               {"plot", "r", "-o", "p.png", "--kind", "histogram"});
   expectFault(4, "has no mixing.csv", {"plot", ".", "-o", "p.png"});

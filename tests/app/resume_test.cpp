@@ -66,6 +66,12 @@ class FaultsResume : public ProgramTest {
   }
 };
 
+TEST_F(FaultsResume, PicturesMayChange) {
+  ASSERT_EQ(runTiny("r", "0.02").exitCode, 0);
+  const Outcome o = runTiny("r", "0.03", {"--resume", "--set", "pictures.color=speed"});
+  EXPECT_EQ(o.exitCode, 0) << o.err;
+}
+
 TEST_F(FaultsResume, KilledAgainAndAgainItComesToTheSameRun) {
   ASSERT_EQ(runTiny("whole", "4").exitCode, 0);
   const std::uintmax_t all = fs::file_size(folder / "whole/mixing.csv");
@@ -213,7 +219,7 @@ TEST_F(FaultsResume, TwoRunsIntoOneFolderAreRefused) {
   for (const std::vector<std::string>& more : {std::vector<std::string>{}, {"--force"}, {"--resume"}}) {
     const Outcome o = runTiny("r", "1000", more);
     EXPECT_EQ(o.exitCode, 4);
-    EXPECT_TRUE(contains(o.err, "another bedmix is writing a run into this folder"));
+    EXPECT_TRUE(contains(o.err, "another bedmix is writing into this folder"));
   }
   run->send(SIGKILL);
   run->wait();

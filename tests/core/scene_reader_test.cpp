@@ -120,6 +120,34 @@ TEST(SceneReader, RangeNamesTheUnit) {
   expectOnly(problemsOf(withLine(19, "columns = [[0, 0.012]]")), "s.toml:19:13", "gas.grid.columns.0");
 }
 
+TEST(SceneReader, ReadsPictures) {
+  const auto scene = readScene(validScene +
+                                   "[pictures]\nlayers = [\"hud\", \"gas-speed\"]\ncolor = \"strips\"\n"
+                                   "classes = 6\nbackground = \"#102aFf\"\ntrails = [0, 59]\n",
+                               "s.toml");
+  ASSERT_TRUE(scene && scene->pictures);
+  EXPECT_EQ(scene->pictures->layers, (Layers{Layer::gasSpeed, Layer::hud}));
+  EXPECT_EQ(scene->pictures->color, ParticleColor::strips);
+  EXPECT_EQ(scene->pictures->classes, 6);
+  EXPECT_EQ(scene->pictures->ground, (Rgba{16, 42, 255}));
+  EXPECT_EQ(scene->pictures->trails, (std::vector<std::int64_t>{0, 59}));
+  EXPECT_FALSE(readScene(validScene, "s.toml")->pictures);
+}
+
+TEST(SceneReader, WrongPicturesHaveTheirPlace) {
+  const std::string begin = validScene + "[pictures]\n";  // the 29th line follows
+  expectOnly(problemsOf(begin + "layers = [\"walls\", \"particels\"]"), "s.toml:29:20",
+             "pictures.layers.1 has no \"particels\"; did you mean \"particles\"?");
+  expectOnly(problemsOf(begin + "layers = \"walls\""), "s.toml:29:10", "must be a list of names");
+  expectOnly(problemsOf(begin + "color = \"sped\""), "s.toml:29:9", "did you mean \"speed\"?");
+  expectOnly(problemsOf(begin + "background = \"#12345\""), "s.toml:29:14", "a colour like");
+  expectOnly(problemsOf(begin + "background = \"#12345g\""), "s.toml:29:14", "a colour like");
+  expectOnly(problemsOf(begin + "trails = [1.5]"), "s.toml:29:11", "a whole number");
+  expectOnly(problemsOf(begin + "trails = [-1]"), "s.toml:29:11", "from 0");
+  expectOnly(problemsOf(begin + "color = \"spin\""), "s.toml:29:9", "no [contacts.friction]");
+  expectOnly(problemsOf(begin + "colour = \"spin\""), "s.toml:29:1", "did you mean \"color\"?");
+}
+
 TEST(SceneReader, MissingKeysAreReportedAtTheirTable) {
   expectOnly(problemsOf(withLine(8, "")), "s.toml:6:1", "[particles] lacks the key \"diameter\"");
   expectOnly(problemsOf(withLine(22, "")), "s.toml:21:1", "[gas.inlets.0] lacks the key \"from\"");

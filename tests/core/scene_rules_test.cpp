@@ -148,6 +148,38 @@ INSTANTIATE_TEST_SUITE_P(
         Spoiled{"FlatWindow", [](Scene& s) { s.flux->from = 0.04; }, "flux.to", "not above"},
         Spoiled{"WindowAtWall", [](Scene& s) { s.flux->x = 0.047; }, "flux.x", "leaves the bed"},
         Spoiled{"HighWindow", [](Scene& s) { s.flux->to = 0.13; }, "flux.to", "above the bed's"},
+        Spoiled{"GasLayerWithoutGas",
+                [](Scene& s) {
+                  s.gas.reset();
+                  s.flux.reset();
+                  s.pictures.emplace().layers = {Layer::particles, Layer::streamlines};
+                },
+                "pictures.layers", "'streamlines' shows the gas"},
+        Spoiled{"TwoFields",
+                [](Scene& s) {
+                  s.pictures.emplace().layers = {Layer::gasSpeed, Layer::pressure};
+                },
+                "pictures.layers", "'pressure' and 'gas-speed' colour the same cells"},
+        Spoiled{"SpinWithoutFriction",
+                [](Scene& s) { s.pictures.emplace().color = ParticleColor::spin; }, "pictures.color",
+                "no [contacts.friction]"},
+        Spoiled{"VoidageColorWithoutGas",
+                [](Scene& s) {
+                  s.gas.reset();
+                  s.flux.reset();
+                  s.pictures.emplace().color = ParticleColor::voidage;
+                },
+                "pictures.color", "needs the gas"},
+        Spoiled{"TrailOfNobody",
+                [](Scene& s) {
+                  s.pictures.emplace().trails = {59, 60};
+                },
+                "pictures.trails", "no particle 60"},
+        Spoiled{"TrailsOfNone",
+                [](Scene& s) {
+                  s.pictures.emplace().layers = {Layer::trails};
+                },
+                "pictures.layers", "give their numbers"},
         Spoiled{"Limits", [](Scene& s) { s.limits.warnOverlap = 0.2; }, "limits.warn_overlap", "above"}),
     [](const auto& spoiled) { return std::string(spoiled.param.name); });
 

@@ -40,6 +40,8 @@ class BitDump {
   template <class T>
   requires std::is_enum_v<T>
   void put(T v) { out_ << static_cast<int>(v) << '\n'; }
+  void put(Layers v) { out_ << tomlNames(v) << '\n'; }
+  void put(Rgba v) { out_ << colorText(v) << '\n'; }
   void put(GridSpan& s) {
     put(s.count);
     put(s.size);
@@ -93,7 +95,6 @@ TEST(SceneWriter, AwkwardValuesRoundTrip) {
   scene.title = "quote \" backslash \\ tab \t newline \n unit \u00b5";
   scene.seed = 9007199254740993u;  // 2^53 + 1, no double
   scene.particles.density = 1.0 / 3.0 * 4000.0;
-  scene.particles.count = 0;
   scene.contacts.damping = 0.1 + 0.2;
   scene.contacts.friction = FrictionSettings{};
   scene.gas.emplace().minimumFluidizationVelocity = 5e-324;
@@ -101,6 +102,14 @@ TEST(SceneWriter, AwkwardValuesRoundTrip) {
   scene.time.integrator = Integrator::rk4;
   scene.time.step = scene.gas->step = StepLength::automatic();
   scene.accuracy = Accuracy::draft;
+  scene.particles.count = 3;
+  scene.pictures.emplace().layers = {Layer::curve, Layer::trails, Layer::voidage};
+  scene.pictures->color = ParticleColor::spin;
+  scene.pictures->ground = {1, 171, 255};
+  scene.pictures->trails = {2, 0};
+  scene.pictures->trailTime = 0.1 + 0.2;
+  expectRoundTrip(scene);
+  scene.pictures->layers = {};
   expectRoundTrip(scene);
 }
 
@@ -109,9 +118,9 @@ TEST(SceneWriter, WritesEveryDefaultAndNoAbsentEffect) {
   scene.contacts.restitution = 0.9;
   const std::string text = writeScene(scene);
   for (const SceneKey& key : sceneKeys()) {
-    const bool absentEffect = key.path.starts_with("gas") || key.path.starts_with("flux") ||
-                              key.path.starts_with("contacts.friction") || key.path == "contacts.damping" ||
-                              key.path == "accuracy";
+    const bool absentEffect = key.path.starts_with("pictures") || key.path.starts_with("gas") ||
+                              key.path.starts_with("flux") || key.path.starts_with("contacts.friction") ||
+                              key.path == "contacts.damping" || key.path == "accuracy";
     if (key.type == "table") {
       EXPECT_EQ(text.find('[' + key.path + "]\n") == std::string::npos, absentEffect) << key.path;
     } else if (!absentEffect) {

@@ -75,6 +75,8 @@ Frame movingFrame(const Scene& scene, double time) {
       const Vec2 velocity{8.0 * (y - 0.1), -15.0 * (x - 0.5 * scene.bed.width)};
       add(frame, toFloat({x, y}), toFloat(velocity), frame.size() % 3 == 0);
     }
+  if (scene.contacts.friction)
+    for (const Vec2f& p : frame.position) frame.angularVelocity.push_back(2000.0f * (p.x - 0.05f));
   if (scene.gas) frame.gas = movingGas(scene);
   return frame;
 }

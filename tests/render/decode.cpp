@@ -49,7 +49,7 @@ DecodedMovie decode(const std::filesystem::path& path) {
   const AVStream& stream = *file->streams[0];
   AVCodecContext* decoder = avcodec_alloc_context3(nullptr);
   avcodec_parameters_to_context(decoder, stream.codecpar);
-  avcodec_open2(decoder, avcodec_find_decoder(AV_CODEC_ID_H264), nullptr);
+  avcodec_open2(decoder, avcodec_find_decoder(stream.codecpar->codec_id), nullptr);
   AVPacket* packet = av_packet_alloc();
   while (av_read_frame(file, packet) >= 0) {
     avcodec_send_packet(decoder, packet);
@@ -60,6 +60,11 @@ DecodedMovie decode(const std::filesystem::path& path) {
   receive(decoder, stream, movie);
   movie.duration = static_cast<double>(file->duration) / AV_TIME_BASE;
   movie.framesPerSecond = av_q2d(stream.avg_frame_rate);
+  movie.codec = avcodec_get_name(stream.codecpar->codec_id);
+  char tag[AV_FOURCC_MAX_STRING_SIZE];
+  movie.tag = av_fourcc_make_string(tag, stream.codecpar->codec_tag);
+  const char* profile = avcodec_profile_name(stream.codecpar->codec_id, stream.codecpar->profile);
+  movie.profile = profile ? profile : "";
   av_packet_free(&packet);
   avcodec_free_context(&decoder);
   avformat_close_input(&file);

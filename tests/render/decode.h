@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <string>
 #include <vector>
 
 namespace bedmix::test {
@@ -17,6 +18,7 @@ struct DecodedMovie {
   double framesPerSecond = 0.0;
   bool bt709Limited = false;  // all four tags say so
   bool yuv420 = false;
+  std::string codec, tag, profile;  // "h264", "avc1", "High"
 };
 
 /// Empty where it cannot be decoded.

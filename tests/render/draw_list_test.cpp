@@ -1,23 +1,18 @@
 // SPDX-License-Identifier: MIT
-#include "render/draw_list.h"
-
 #include "engine/core/gas_grid.h"
+#include "render/draw_bed.h"
+#include "render/scales.h"
 #include "tests/render/bed.h"
+#include "tests/render/drawn.h"
 
 #include <gtest/gtest.h>
 
 namespace bedmix {
 namespace {
 
-constexpr float em = 10.0f;
-constexpr Camera camera{{100.0f, 900.0f}, 2000.0f};  // 2 px per mm
-
-DrawList drawn(const Scene& scene, const Frame& frame, Layers layers) {
-  DrawList list;
-  list.clip = {0.0f, 0.0f, 400.0f, 1000.0f};
-  drawBed(list, scene, frame, camera, layers, em);
-  return list;
-}
+using test::camera;
+using test::drawn;
+using test::em;
 
 TEST(DrawList, ParticlesAreDiscsInTheOrderOfTheFrame) {
   const Frame frame = test::particlesAt({{0.010f, 0.020f}}, {{0.050f, 0.002f}, {0.096f, 0.400f}});
@@ -67,7 +62,9 @@ TEST(DrawList, VelocityArrowsStartAtTheCentresAndScaleWithSpeed) {
 }
 
 TEST(DrawList, SamplingShowsTheCellsEdges) {
-  const DrawList list = drawn(test::flatBed(), {}, {Layer::sampling});
+  Scene scene = test::flatBed();
+  scene.sampling.minParticles = 0;  // none is hatched
+  const DrawList list = drawn(scene, {}, {Layer::sampling});
   ASSERT_EQ(list.lines.size(), 5u + 16u);  // 4 x 15 cells
   EXPECT_EQ(list.lines[1].from, camera.toPixel(Vec2{0.024, 0.0}));
   EXPECT_EQ(list.lines[1].to, camera.toPixel(Vec2{0.024, 0.420}));
@@ -130,11 +127,25 @@ TEST(DrawList, PressureRangeHoldsTheBedsWeight) {
   EXPECT_DOUBLE_EQ(range.high, 2000.0);
 }
 
+TEST(DrawList, FieldsHaveTheirValuesColours) {
+  const Scene scene = test::flatBed();
+  Frame frame = test::movingFrame(scene);
+  frame.gas.velocity[0] = {3.0f, -4.0f};
+  EXPECT_DOUBLE_EQ(colorRange(scene, Layer::gasSpeed).high, 10.0);  // 2.6 m/s / 0.4 is 6.5
+  EXPECT_EQ(drawn(scene, frame, {Layer::gasSpeed}).triangles[0].color, cividis(0.5));
+  frame.gas.pressure[0] = 500.0f;
+  EXPECT_EQ(drawn(scene, frame, {Layer::pressure}).triangles[0].color, cividis(0.25));
+}
+
 TEST(DrawList, RoundNumbers) {
   EXPECT_DOUBLE_EQ(roundDown(0.032), 0.02);
   EXPECT_DOUBLE_EQ(roundDown(7.3), 5.0);
   EXPECT_DOUBLE_EQ(roundDown(1284.0), 1000.0);
   EXPECT_DOUBLE_EQ(roundDown(2.0), 2.0);
+  EXPECT_DOUBLE_EQ(roundUp(0.032), 0.05);
+  EXPECT_DOUBLE_EQ(roundUp(1.2), 2.0);
+  EXPECT_DOUBLE_EQ(roundUp(7.3), 10.0);
+  EXPECT_DOUBLE_EQ(roundUp(2.0), 2.0);
 }
 
 }  // namespace

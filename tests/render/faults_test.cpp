@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include "render/av_film.h"
+#include "render/film_kind.h"
 #include "render/film_sink.h"
 #include "render/gnuplot.h"
 #include "render/mp4_film.h"
@@ -83,11 +85,13 @@ TEST(RenderFaults, FullDiskKeepsAnOlderPicture) {
   EXPECT_EQ(readPng(folder / "a.png")->size, (Size{16, 16}));
 }
 
-TEST(RenderFaults, FullDiskUnderAFilm) {
+class RenderFaultsFilm : public ::testing::TestWithParam<std::string> {};
+
+TEST_P(RenderFaultsFilm, FullDisk) {
   const test::TempFolder folder;
-  fillDisk(folder / "a.mp4");
-  Result<FilmSink> sink =
-      FilmSink::create(test::flatBed(), folder / "a.mp4", {{{240, 420}, defaultLayers, 0}});
+  const std::filesystem::path file = folder / GetParam().c_str();
+  fillDisk(file);
+  Result<FilmSink> sink = FilmSink::create(test::flatBed(), file, {{{240, 420}, defaultLayers, 0}});
   Result<Done> done = Done{};
   if (sink) {
     Frame frame = test::movingFrame(test::flatBed());
@@ -102,6 +106,45 @@ TEST(RenderFaults, FullDiskUnderAFilm) {
   expectFileTrouble(done);
   EXPECT_NE(done.problems[0].message.find("No space left"), std::string::npos) << done.problems[0].message;
   sink = Diagnostic{};
+  EXPECT_TRUE(folder.empty());
+}
+
+TEST_P(RenderFaultsFilm, OneThatIsLeftUnfinished) {
+  const test::TempFolder folder;
+  {
+    Result<FilmSink> sink =
+        FilmSink::create(test::flatBed(), folder / GetParam().c_str(), {{{240, 420}, defaultLayers, 0}});
+    ASSERT_TRUE(sink);
+    Frame frame = test::movingFrame(test::flatBed());
+    for (int i = 0; i < 20; ++i) {
+      frame.time = 0.02 * i;
+      sink->accept(frame);
+    }
+  }
+  EXPECT_TRUE(folder.empty());
+}
+
+INSTANTIATE_TEST_SUITE_P(Kinds, RenderFaultsFilm, ::testing::Values("a.mp4", "a.gif", "a.mkv"));
+
+TEST(RenderFaults, FilmsTooLargeForTheirKind) {
+  const test::TempFolder folder;
+  for (const char* name : {"a.mp4", "a.mkv"}) {
+    const auto film = createFilm(folder / name, {16384, 16384}, 50.0);
+    ASSERT_FALSE(film);
+    EXPECT_EQ(film.problems[0].trouble, Trouble::input);
+    EXPECT_NE(film.problems[0].message.find("16384x16384 is too large"), std::string::npos);
+  }
+  EXPECT_TRUE(createFilm(folder / "a.mkv", {8192, 8192}, 50.0));
+  EXPECT_TRUE(folder.empty());
+}
+
+TEST(RenderFaults, WithoutAnEncoder) {
+  const test::TempFolder folder;
+  AvFilm film(folder / "a.mp4", {"libnone", "mp4", ""});
+  const Result<Done> done = film.findEncoder({64, 64}, {50, 1});
+  ASSERT_FALSE(done);
+  EXPECT_EQ(done.problems[0].trouble, Trouble::unavailable);
+  EXPECT_NE(done.problems[0].message.find("libavcodec has no libnone"), std::string::npos);
   EXPECT_TRUE(folder.empty());
 }
 

@@ -77,11 +77,38 @@ TEST(Film, TakesAPart) {
   EXPECT_EQ(green(test::decode(folder / "a.mp4")), blackThenGreen(5, 16));
 }
 
-TEST(Film, IsTheSameBytesTwice) {
+class FilmOfAKind : public ::testing::TestWithParam<std::string> {};
+
+TEST_P(FilmOfAKind, ShowsTheSame) {
   const test::TempFolder folder;
-  film(folder / "a.mp4", {});
-  film(folder / "b.mp4", {});
-  EXPECT_EQ(test::bytesOf(folder / "a.mp4"), test::bytesOf(folder / "b.mp4"));
+  const std::filesystem::path file = folder / GetParam().c_str();
+  film(file, {{}, 50.0, 0.5, 0.1, 0.4});
+  EXPECT_EQ(green(test::decode(file)), blackThenGreen(10, 31));
+}
+
+TEST_P(FilmOfAKind, IsTheSameBytesTwice) {
+  const test::TempFolder a, b;
+  film(a / GetParam().c_str(), {});
+  film(b / GetParam().c_str(), {});
+  EXPECT_EQ(test::bytesOf(a / GetParam().c_str()), test::bytesOf(b / GetParam().c_str()));
+}
+
+INSTANTIATE_TEST_SUITE_P(Kinds, FilmOfAKind, ::testing::Values("a.mp4", "a.gif", "a.mkv"));
+
+TEST(Film, LengthIsKnownBefore) {
+  for (const FilmOptions& options :
+       {FilmOptions{{}, 100.0, 1.0, 0.0, 0.5}, FilmOptions{{}, 60.0, 0.2, 0.0, 0.5},
+        FilmOptions{{}, 25.0, 1.0, 0.15, 0.3}}) {
+    const test::TempFolder folder;
+    film(folder / "a.mp4", options);
+    EXPECT_EQ(test::decode(folder / "a.mp4").frames.size(), static_cast<std::size_t>(picturesOf(options)));
+  }
+}
+
+TEST(Film, OfNoKindIsAProblem) {
+  const test::TempFolder folder;
+  EXPECT_FALSE(FilmSink::create(scene(), folder / "a.avi", {{size, layers, 0}}));
+  EXPECT_TRUE(folder.empty());
 }
 
 TEST(Film, WithoutAFrameIsAProblem) {

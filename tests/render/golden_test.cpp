@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <filesystem>
 
@@ -43,11 +44,14 @@ Difference compare(const Image& actual, const Image& expected) {
   return difference;
 }
 
-void expectGolden(const std::string& name, const Scene& scene, Layers layers) {
-  Result<Painter> painter = Painter::create(scene, {{240, 420}, layers, 0});
-  ASSERT_TRUE(painter);
+/// Of the last frame, the others observed.
+void expectGolden(const std::string& name, const Scene& scene, const Style& style,
+                  const std::vector<Frame>& frames) {
+  Result<Painter> painter = Painter::create(scene, {{240, 420}, style, 0});
+  ASSERT_TRUE(painter) << painter.problems[0].message;
+  for (const Frame& frame : frames) painter->observe(0, frame);
   Image actual;
-  ASSERT_TRUE(painter->paint(test::movingFrame(scene), actual));
+  ASSERT_TRUE(painter->paint(frames.back(), actual));
 
   const fs::path file = fs::path(GOLDEN_FOLDER) / (name + ".png");
   if (std::getenv("BEDMIX_UPDATE_GOLDEN")) {
@@ -69,6 +73,44 @@ void expectGolden(const std::string& name, const Scene& scene, Layers layers) {
   }
 }
 
+void expectGolden(const std::string& name, const Scene& scene, const Style& style) {
+  expectGolden(name, scene, style, {test::movingFrame(scene)});
+}
+
+/// The moving frame's particles on their way through the bed, for a tenth of a second.
+std::vector<Frame> stirredFrames(const Scene& scene) {
+  std::vector<Frame> frames;
+  for (int i = 0; i <= 20; ++i) {
+    Frame& frame = frames.emplace_back(test::movingFrame(scene, 0.4 + 0.005 * i));
+    const float share = static_cast<float>(i) / 20.0f;
+    for (Vec2f& p : frame.position) {
+      const float x = p.x, y = p.y;
+      p.x += share * 8.0f * x * (0.096f - x) * std::sin(40.0f * y);
+      p.y += share * 0.04f * (1.0f + std::sin(65.0f * x)) * y / 0.2f;
+    }
+  }
+  return frames;
+}
+
+/// The moving frame's lattice pressed together, here more, there less.
+Frame pressedFrame(const Scene& scene) {
+  Frame frame = test::movingFrame(scene);
+  const auto unevenness = static_cast<float>(0.005 * scene.particles.diameter);
+  const auto inset = static_cast<float>(0.1 * scene.particles.diameter);
+  for (Vec2f& p : frame.position) {
+    p = p * 0.7995f + Vec2f{inset, inset};
+    p += Vec2f{std::sin(900.0f * p.y) * std::sin(500.0f * p.x), std::sin(300.0f * p.x)} * unevenness;
+  }
+  return frame;
+}
+
+Style colored(ParticleColor color, std::int64_t classes = 6) {
+  Style style;
+  style.color = color;
+  style.classes = classes;
+  return style;
+}
+
 TEST(Golden, Particles) {
   expectGolden("particles", test::flatBed(), {Layer::particles, Layer::walls, Layer::hud});
 }
@@ -80,6 +122,75 @@ TEST(Golden, VelocityAndSampling) {
 
 TEST(Golden, GasAndVoidageOnTheIncline) {
   expectGolden("gas_voidage", test::inclinedBed(), {Layer::gas, Layer::voidage, Layer::walls, Layer::hud});
+}
+
+TEST(Golden, Pressure) {
+  expectGolden("pressure", test::flatBed(), {Layer::pressure, Layer::particles, Layer::walls, Layer::hud});
+}
+
+TEST(Golden, GasSpeedAndStreamlines) {
+  expectGolden("streamlines", test::inclinedBed(),
+               {Layer::gasSpeed, Layer::streamlines, Layer::walls, Layer::hud});
+}
+
+TEST(Golden, Bubbles) {
+  expectGolden("bubbles", test::flatBed(), {Layer::voidage, Layer::bubbles, Layer::walls, Layer::hud});
+}
+
+TEST(Golden, Trails) {
+  Style style;
+  style.layers.add(Layer::trails);
+  style.trails = {300, 505, 700, 910};
+  style.trailTime = 0.1;
+  expectGolden("trails", test::flatBed(), style, stirredFrames(test::flatBed()));
+}
+
+TEST(Golden, Forces) {
+  Scene scene = test::flatBed();
+  scene.particles = {100, 0.012, 1500.0};
+  expectGolden("forces", scene, {Layer::particles, Layer::forces, Layer::walls, Layer::hud},
+               {pressedFrame(scene)});
+}
+
+TEST(Golden, CountsInCoarseCells) {
+  Scene scene = test::flatBed();
+  scene.sampling.columns = 2;
+  scene.sampling.rows = 10;
+  expectGolden("counts", scene, {Layer::particles, Layer::sampling, Layer::counts, Layer::walls, Layer::hud});
+}
+
+TEST(Golden, Flow) {
+  expectGolden("flow", test::flatBed(), {Layer::flow, Layer::sampling, Layer::walls, Layer::hud});
+}
+
+TEST(Golden, ColorSpeed) { expectGolden("color_speed", test::flatBed(), colored(ParticleColor::speed)); }
+
+TEST(Golden, ColorSpin) {
+  Scene scene = test::flatBed();
+  scene.contacts.friction.emplace();
+  expectGolden("color_spin", scene, colored(ParticleColor::spin));
+}
+
+TEST(Golden, ColorVoidage) {
+  expectGolden("color_voidage", test::inclinedBed(), colored(ParticleColor::voidage));
+}
+
+TEST(Golden, ColorId) { expectGolden("color_id", test::flatBed(), colored(ParticleColor::id)); }
+
+TEST(Golden, ColorHeight) {
+  expectGolden("color_height", test::flatBed(), colored(ParticleColor::height, 5),
+               stirredFrames(test::flatBed()));
+}
+
+TEST(Golden, ColorStrips) {
+  expectGolden("color_strips", test::flatBed(), colored(ParticleColor::strips),
+               stirredFrames(test::flatBed()));
+}
+
+TEST(Golden, DarkGround) {
+  Style style{Layer::particles, Layer::velocity, Layer::gas, Layer::sampling, Layer::walls, Layer::hud};
+  style.ground = {24, 28, 40};
+  expectGolden("dark", test::inclinedBed(), style);
 }
 
 }  // namespace

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "render/hud.h"
 
+#include "render/colors.h"
 #include "render/hud_rows.h"
+#include "render/scales.h"
 #include "tests/render/bed.h"
 
 #include <gtest/gtest.h>

@@ -11,31 +11,9 @@
 namespace bedmix {
 namespace {
 
-TEST(Layers, AreReadFromAList) {
-  const Result<Layers> layers = parseLayers("particles,velocity,hud");
-  ASSERT_TRUE(layers);
-  EXPECT_EQ(*layers, (Layers{Layer::particles, Layer::velocity, Layer::hud}));
-  EXPECT_FALSE(layers->has(Layer::walls));
+TEST(Layers, TwoFieldsCannotShareTheCells) {
+  EXPECT_EQ(missingFor(test::flatBed(), {Layer::pressure, Layer::voidage}).size(), 1u);
 }
-
-TEST(Layers, EveryNameOfTheTableIsItsLayer) {
-  for (std::size_t i = 0; i < layerTable.size(); ++i) {
-    const Result<Layers> layers = parseLayers(layerTable[i].name);
-    ASSERT_TRUE(layers) << layerTable[i].name;
-    EXPECT_EQ(*layers, Layers{static_cast<Layer>(i)}) << layerTable[i].name;
-  }
-}
-
-TEST(Layers, UnknownOnesAreAnsweredWithTheTable) {
-  const Result<Layers> layers = parseLayers("particles,speed,,hud");
-  ASSERT_FALSE(layers);
-  ASSERT_EQ(layers.problems.size(), 2u);  // 'speed' and the empty name
-  EXPECT_NE(layers.problems[0].message.find("'speed'"), std::string::npos);
-  for (const LayerInfo& info : layerTable)
-    EXPECT_NE(layers.problems[0].message.find(info.name), std::string::npos) << info.name;
-}
-
-TEST(Layers, TwoFieldsCannotShareTheCells) { EXPECT_EQ(parseLayers("pressure,voidage").problems.size(), 1u); }
 
 TEST(Layers, OfTheGasNeedGas) {
   const Layers all{Layer::particles, Layer::gas, Layer::voidage};
@@ -53,6 +31,22 @@ TEST(Layers, OfTheGasNeedItInTheFrame) {
   ASSERT_EQ(missing.size(), 1u);
   EXPECT_EQ(missing[0].trouble, Trouble::file);
   EXPECT_TRUE(missingFor(scene, frame, defaultLayers).empty());
+}
+
+TEST(Layers, OfSpinAndTrailsNeedTheirsInTheFrame) {
+  Scene scene = test::gaslessBed();
+  scene.contacts.friction.emplace();
+  Style style{Layer::particles, Layer::trails};
+  style.color = ParticleColor::spin;
+  style.trails = {999};
+  Frame frame = test::movingFrame(scene);
+  EXPECT_TRUE(missingFor(scene, frame, style).empty());
+  frame.angularVelocity.clear();
+  frame.id.back() = 1000;
+  const std::vector<Diagnostic> missing = missingFor(scene, frame, style);
+  ASSERT_EQ(missing.size(), 2u);
+  EXPECT_NE(missing[0].message.find("needs angular velocities"), std::string::npos);
+  EXPECT_NE(missing[1].message.find("particle 999"), std::string::npos);
 }
 
 /// Lightness L* (CIE 1976) of a colour.
@@ -73,6 +67,32 @@ TEST(Colors, OfTheFieldsGrowEvenlyLighter) {
   }
   EXPECT_EQ(cividis(-1.0), cividis(0.0));
   EXPECT_EQ(cividis(2.0), cividis(1.0));
+}
+
+TEST(Colors, OfWhatHasASignAreEvenlyDarkerToBothSides) {
+  EXPECT_NEAR(lightness(coolWarm(0.0)), 80.0, 1.0);
+  for (const double side : {-1.0, 1.0}) {
+    EXPECT_NEAR(lightness(coolWarm(side)), 37.7, 1.0);
+    for (int i = 0; i < 10; ++i)
+      EXPECT_LT(lightness(coolWarm(side * (i + 1) / 10.0)), lightness(coolWarm(side * i / 10.0)));
+  }
+  EXPECT_GT(coolWarm(1.0).r, coolWarm(1.0).b);
+  EXPECT_GT(coolWarm(-1.0).b, coolWarm(-1.0).r);
+}
+
+TEST(Colors, OfInkStandOutFromAnyGround) {
+  for (int r = 0; r < 256; r += 15)
+    for (int g = 0; g < 256; g += 15)
+      for (int b = 0; b < 256; b += 15) {
+        const Rgba ground{static_cast<std::uint8_t>(r), static_cast<std::uint8_t>(g),
+                          static_cast<std::uint8_t>(b)};
+        // Contrast of at least 4.5 (WCAG 2.1, level AA).
+        const auto luminance = [](Rgba c) { return std::pow((lightness(c) + 16.0) / 116.0, 3); };
+        const double a = luminance(ground) + 0.05, i = luminance(paletteOn(ground).ink) + 0.05;
+        EXPECT_GE(std::max(a, i) / std::min(a, i), 4.5) << r << ' ' << g << ' ' << b;
+      }
+  EXPECT_EQ(paletteOn(white).tracer, black);
+  EXPECT_EQ(paletteOn(black).tracer, white);
 }
 
 TEST(Colors, OfTheSpeciesAreApartInGrey) {

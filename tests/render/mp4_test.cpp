@@ -1,42 +1,16 @@
 // SPDX-License-Identifier: MIT
 #include "render/mp4_film.h"
-
-#include "render/colors.h"
 #include "tests/render/decode.h"
+#include "tests/render/film_pictures.h"
 #include "tests/render/temp_folder.h"
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
-
 namespace bedmix {
 namespace {
 
-/// Left half black, right half green; the upper half is white from frame to frame in turn.
-Image picture(Size size, int number) {
-  Image image;
-  image.resize(size);
-  for (int y = 0; y < size.height; ++y)
-    for (int x = 0; x < size.width; ++x) {
-      const Rgba color = y < size.height / 2 && number % 2 ? white
-                         : x < size.width / 2              ? tracerColor
-                                                           : restColor;
-      std::copy_n(&color.r, 4, &image.rgba[4 * (static_cast<std::size_t>(y) * size.width + x)]);
-    }
-  return image;
-}
-
-void film(const std::filesystem::path& path, Size size, double fps, int frames) {
-  Result<Mp4Film> movie = Mp4Film::create(path, size, fps);
-  ASSERT_TRUE(movie) << movie.problems[0].message;
-  for (int i = 0; i < frames; ++i) ASSERT_TRUE(movie->add(picture(size, i)));
-  ASSERT_TRUE(movie->finish());
-}
-
-void expectNear(Rgba actual, Rgba expected) {
-  EXPECT_NEAR(actual.r, expected.r, 3);
-  EXPECT_NEAR(actual.g, expected.g, 3);
-  EXPECT_NEAR(actual.b, expected.b, 3);
+void film(const std::filesystem::path& path, Size size, double fps, int pictures) {
+  test::filmHalves(Mp4Film::create(path, size, fps), size, pictures);
 }
 
 TEST(Mp4, IsWhatWasPutIn) {
@@ -49,11 +23,13 @@ TEST(Mp4, IsWhatWasPutIn) {
   EXPECT_NEAR(movie.duration, 60 / 25.0, 1e-6);
   EXPECT_TRUE(movie.bt709Limited);
   EXPECT_TRUE(movie.yuv420);
+  EXPECT_EQ(movie.tag, "avc1");      // what QuickTime looks for
+  EXPECT_EQ(movie.profile, "High");  // 8 bits, 4:2:0
   for (std::size_t i = 0; i < movie.frames.size(); ++i) {
     EXPECT_NEAR(movie.times[i], static_cast<double>(i) / 25.0, 1e-6);
-    expectNear(movie.frames[i].at(32, 48), tracerColor);
-    expectNear(movie.frames[i].at(96, 48), restColor);
-    expectNear(movie.frames[i].at(32, 16), i % 2 ? white : tracerColor);
+    test::expectNear(movie.frames[i].at(32, 48), tracerColor);
+    test::expectNear(movie.frames[i].at(96, 48), restColor);
+    test::expectNear(movie.frames[i].at(32, 16), i % 2 ? white : tracerColor);
   }
 }
 
@@ -63,8 +39,8 @@ TEST(Mp4, OfAnOddSizeLosesNothing) {
   const test::DecodedMovie movie = test::decode(folder / "a.mp4");
   ASSERT_EQ(movie.frames.size(), 3u);
   EXPECT_EQ(movie.frames[0].size, (Size{66, 34}));
-  expectNear(movie.frames[0].at(65, 33), restColor);
-  expectNear(movie.frames[1].at(65, 1), white);
+  test::expectNear(movie.frames[0].at(65, 33), restColor);
+  test::expectNear(movie.frames[1].at(65, 1), white);
 }
 
 TEST(Mp4, StartsWithItsIndex) {
@@ -94,7 +70,7 @@ TEST(Mp4, UnfinishedLeavesNothing) {
   {
     Result<Mp4Film> movie = Mp4Film::create(folder / "a.mp4", {64, 64}, 50.0);
     ASSERT_TRUE(movie);
-    for (int i = 0; i < 120; ++i) ASSERT_TRUE(movie->add(picture({64, 64}, i)));
+    for (int i = 0; i < 120; ++i) ASSERT_TRUE(movie->add(test::halves({64, 64}, i)));
   }
   EXPECT_TRUE(folder.empty());
 }
@@ -103,7 +79,7 @@ TEST(Mp4, OfAKilledProgramPlaysUpToItsLastFragment) {
   const test::TempFolder folder;
   Result<Mp4Film> movie = Mp4Film::create(folder / "a.mp4", {64, 64}, 10.0);
   ASSERT_TRUE(movie);
-  for (int i = 0; i < 100; ++i) ASSERT_TRUE(movie->add(picture({64, 64}, i)));
+  for (int i = 0; i < 100; ++i) ASSERT_TRUE(movie->add(test::halves({64, 64}, i)));
   // What a kill now would leave: a fragment a second, the encoder's queue and the open fragment lost.
   std::filesystem::copy(folder / "a.mp4.part", folder / "left.mp4");
   const std::size_t left = test::decode(folder / "left.mp4").frames.size();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "render/png.h"
 
+#include "render/png_info.h"
 #include "tests/render/temp_folder.h"
 
 #include <gtest/gtest.h>
@@ -42,6 +43,29 @@ TEST(Png, HoldsTextsAndResolution) {
   // 300 dpi are 11811 = 0x2E23 pixels per metre both ways; the unit is 1, a metre.
   EXPECT_NE(bytes.find(std::string("pHYs\0\0\x2e\x23\0\0\x2e\x23\1", 13)), std::string::npos);
   EXPECT_EQ(bytes.find("tIME"), std::string::npos);
+}
+
+TEST(Png, SaysWhatItIsWithoutItsPixels) {
+  const test::TempFolder folder;
+  const PngText text{{"Title", ""}, {"Step", "50000"}};
+  ASSERT_TRUE(writePng(folder / "chart.png", chart(), {false, text, 300.0}));
+  const Result<PngInfo> info = readPngInfo(folder / "chart.png");
+  ASSERT_TRUE(info);
+  EXPECT_EQ(info->size, chart().size);
+  EXPECT_EQ(info->text, text);
+}
+
+TEST(Png, IsNoneWithoutItsEnd) {
+  const test::TempFolder folder;
+  ASSERT_TRUE(writePng(folder / "chart.png", chart()));
+  const std::string whole = test::bytesOf(folder / "chart.png");
+  for (std::size_t length = 0; length < whole.size(); ++length) {
+    std::ofstream(folder / "part.png", std::ios::binary) << whole.substr(0, length);
+    ASSERT_FALSE(readPngInfo(folder / "part.png")) << length;
+  }
+  std::ofstream(folder / "part.png", std::ios::binary) << whole;
+  EXPECT_TRUE(readPngInfo(folder / "part.png"));
+  EXPECT_FALSE(readPngInfo(folder / "none.png"));
 }
 
 TEST(Png, IsTheSameBytesTwice) {

@@ -24,7 +24,7 @@ FramePtr uniform(bool black, double time) {
 }
 
 /// A sheet of one run.
-Result<Image> sheetOf(const Scene& scene, std::vector<FramePtr> frames, const Style& style = sheetStyle) {
+Result<Image> sheetOf(const Scene& scene, std::vector<FramePtr> frames, const Style& style = sheetLayers) {
   return drawSheet(std::vector<SheetRun>{{&scene, std::move(frames), {}}}, style);
 }
 
@@ -120,18 +120,18 @@ TEST(Sheet, ShowsAllRunsAtOneScale) {
   Scene wide = test::flatBed();
   wide.bed.width *= 3.0;
   const Scene narrow = test::flatBed();
-  const FramePtr drop = share(test::particlesAt({{0.03f, 0.01f}}, {}));
-  const auto blackIn = [&](const std::vector<SheetRun>& runs) {
+  const FramePtr drop = share(test::particlesAt({}, {{0.03f, 0.01f}}));
+  const auto greenIn = [&](const std::vector<SheetRun>& runs) {
     const Image image = *drawSheet(runs, {Layer::particles});
     int found = 0;
-    for (int y = image.size.height / 8; y < image.size.height * 7 / 8; ++y)
-      for (int x = 0; x < image.size.width; ++x) found += image.at(x, y) == tracerColor;
+    for (int y = 0; y < image.size.height; ++y)
+      for (int x = 0; x < image.size.width; ++x) found += image.at(x, y) == restColor;
     return found;
   };
-  const int alone = blackIn({{&wide, {drop, drop}, {}}});
-  EXPECT_GT(alone, 100);
+  const int alone = greenIn({{&wide, {drop, drop}, {}}});
+  EXPECT_GT(alone, 20);
   // Two of the same size more, not larger ones.
-  EXPECT_NEAR(blackIn({{&wide, {drop, drop}, {}}, {&narrow, {drop, drop}, {}}}), 2 * alone, 0.1 * alone);
+  EXPECT_NEAR(greenIn({{&wide, {drop, drop}, {}}, {&narrow, {drop, drop}, {}}}), 2 * alone, 0.2 * alone);
 }
 
 TEST(Sheet, CutsATitleThatIsTooLongForThePage) {
@@ -149,6 +149,22 @@ TEST(Sheet, ExplainsWhatItsCaptionCannot) {
       sheetOf(test::flatBed(), frames, {Layer::particles, Layer::velocity, Layer::walls})->size;
   EXPECT_EQ(arrows.width, plain.width);
   EXPECT_GT(arrows.height, plain.height + 50);
+}
+
+TEST(Sheet, ColoursByStartAreThoseOfTheHistory) {
+  const Scene scene = test::flatBed();
+  Style style{Layer::particles};
+  style.color = ParticleColor::strips;
+  const FramePtr start = share(test::particlesAt({{0.01f, 0.01f}, {0.09f, 0.01f}}, {}));
+  const FramePtr swapped = share(test::particlesAt({{0.09f, 0.01f}, {0.01f, 0.01f}}, {}, 1.0));
+  History history(scene, style);
+  history.observe(*start);
+  const auto sheet = [&](const FramePtr& frame) {
+    return *drawSheet(std::vector<SheetRun>{{&scene, {frame}, {}, {history}}}, style);
+  };
+  EXPECT_NE(sheet(start).rgba, sheet(swapped).rgba);
+  EXPECT_GT(sheet(start).size.width,
+            2 * sheetOf(scene, {start}, {Layer::particles})->size.width - 100);  // legend
 }
 
 TEST(FramesAt, TakesTheLastFrameAtOrBeforeEachTime) {
