@@ -3,7 +3,7 @@
 // of its own.
 //   bench_draw [--benchmark_filter=REGEX ...]
 //   bench_draw --write FOLDER    the frames themselves, rows `x y vx vy species`, for another program to draw
-#include "render/draw_list.h"
+#include "render/draw_bed.h"
 #include "render/film_sink.h"
 #include "render/hud.h"
 #include "render/hud_rows.h"
@@ -82,7 +82,8 @@ void listing(benchmark::State& state) {
   const Scene scene = bedOf(state.range(0));
   const std::vector<Frame> frames = framesOf(scene, 8);
   const Size size = state.range(0) == 1000 ? small : large;
-  const Layout layout = layoutPicture(scene, size, defaultLayers);
+  const Style style;
+  const Layout layout = layoutPicture(scene, size, style);
   Hud hud(layout.em);
   DrawList bed, overlay;
   bed.clip = layout.view;
@@ -91,8 +92,8 @@ void listing(benchmark::State& state) {
     bed.clear();
     overlay.clear();
     const Frame& frame = frames[k++ % frames.size()];
-    drawBed(bed, scene, frame, layout.camera, defaultLayers, layout.em);
-    drawHud(overlay, scene, frame, defaultLayers, layout);
+    drawBed(bed, scene, frame, layout.camera, style, layout.em);
+    drawHud(overlay, scene, frame, style, layout);
     benchmark::DoNotOptimize(hud.mesh(size, overlay.texts));
   }
   state.SetItemsProcessed(state.iterations());
