@@ -3,7 +3,7 @@
 // of its own.
 //   bench_draw [--benchmark_filter=REGEX ...]
 //   bench_draw --write FOLDER    the frames themselves, rows `x y vx vy species`, for another program to draw
-#include "render/draw_list.h"
+#include "render/draw_bed.h"
 #include "render/film_sink.h"
 #include "render/hud.h"
 #include "render/hud_rows.h"
@@ -82,7 +82,8 @@ void listing(benchmark::State& state) {
   const Scene scene = bedOf(state.range(0));
   const std::vector<Frame> frames = framesOf(scene, 8);
   const Size size = state.range(0) == 1000 ? small : large;
-  const Layout layout = layoutPicture(scene, size, defaultLayers);
+  const Style style;
+  const Layout layout = layoutPicture(scene, size, style);
   Hud hud(layout.em);
   DrawList bed, overlay;
   bed.clip = layout.view;
@@ -91,8 +92,8 @@ void listing(benchmark::State& state) {
     bed.clear();
     overlay.clear();
     const Frame& frame = frames[k++ % frames.size()];
-    drawBed(bed, scene, frame, layout.camera, defaultLayers, layout.em);
-    drawHud(overlay, scene, frame, defaultLayers, layout);
+    drawBed(bed, scene, frame, layout.camera, style, layout.em);
+    drawHud(overlay, scene, frame, style, layout);
     benchmark::DoNotOptimize(hud.mesh(size, overlay.texts));
   }
   state.SetItemsProcessed(state.iterations());
@@ -115,11 +116,12 @@ BENCHMARK(firstPicture)->MeasureProcessCPUTime()->UseRealTime()->Unit(benchmark:
 /// Nine panels, drawn and written.
 void sheet(benchmark::State& state) {
   const Scene scene = bedOf(1000);
-  std::vector<FramePtr> frames;
-  for (Frame& frame : framesOf(scene, 9)) frames.push_back(std::make_shared<const Frame>(std::move(frame)));
+  SheetRun run{&scene, {}, ""};
+  for (Frame& frame : framesOf(scene, 9))
+    run.frames.push_back(std::make_shared<const Frame>(std::move(frame)));
   const auto path = std::filesystem::temp_directory_path() / "bench_draw_sheet.png";
   for (auto _ : state)
-    must(writePng(path, must(drawSheet(scene, frames)), {.small = true, .text = {}, .dpi = sheetDpi}));
+    must(writePng(path, must(drawSheet({&run, 1})), {.small = true, .text = {}, .dpi = sheetDpi}));
   std::filesystem::remove(path);
 }
 BENCHMARK(sheet)->MeasureProcessCPUTime()->UseRealTime()->Unit(benchmark::kMillisecond);
