@@ -40,8 +40,10 @@ Result<Recording> Recording::resume(const RunFolder& folder, const Scene& scene,
     recording.derive(**frame);
     if (const auto failure = recording.failure()) return *failure;
   }
+  Scene kept = scene;  // the one thing that need not be the recorded run's stays what it is in the file
+  kept.pictures = point.recorded->scene().pictures;
   point.recorded.reset();  // before the file is written
-  auto trajectory = TrajectoryWriter::resume(folder.trajectory(), scene, point.frames, point.slot);
+  auto trajectory = TrajectoryWriter::resume(folder.trajectory(), kept, point.frames, point.slot);
   if (!trajectory) return trajectory.problems;
   recording.trajectory_.emplace(std::move(*trajectory));
   return recording;

@@ -75,7 +75,7 @@ std::optional<Diagnostic> sceneDifference(const Scene& recorded, const Scene& as
   else
     what = fmt::format("{} is {}, but not there in the recorded run", is->first, is->second);
   return Diagnostic{{"--resume"},
-                    what + "; give the scene, --set and --seed of that run, only --until may be another"};
+                    what + "; give the scene, --set and --seed of that run, only --until and [pictures] may be others"};
 }
 
 Result<ResumePoint> findResumePoint(TrajectoryReader recorded, const Scene& scene, int threads,
