@@ -36,7 +36,7 @@ constexpr std::size_t longestRow = 9;
 constexpr float inner = pageWidth - 2.0f * margin * em;
 
 /// The height the panels of a run show, m: a diameter more than the highest particle; what is thrown far
-/// above the bed is cut. Sampling cells are shown whole.
+/// above the bed is cut. Sampling cells are shown whole, with room for arrows that begin above them.
 double shownHeight(const SheetRun& run, Layers layers) {
   float highest = 0.0f;
   for (const FramePtr& frame : run.frames)
@@ -45,7 +45,8 @@ double shownHeight(const SheetRun& run, Layers layers) {
   if (layers.has(Layer::sampling) || layers.has(Layer::counts) || layers.has(Layer::flow)) {
     const SamplingGrid grid = samplingGrid(*run.scene);
     const double cell = grid.height / grid.rows;
-    height = cell * std::ceil(height / cell) + 0.5 * run.scene->particles.diameter;
+    height = cell * std::ceil(height / cell) +
+             (layers.has(Layer::flow) ? 0.5 * cell : 0.5 * run.scene->particles.diameter);
   }
   return std::min(height, 1.5 * run.scene->bed.height);
 }
