@@ -211,7 +211,7 @@ TEST_F(FaultsOfFigures, AreExplainedAndLeaveNoFile) {
   expectFault(4, "nowhere", {"sheet", "r", "nowhere", "-o", "s.png"});
   expectFault(2, "--times: there is no frame at t = 9 s; the run goes from 0 to 0.05 s",
               {"sheet", "r", "-o", "s.png", "--times", "0,9"});
-  expectFault(2, "--layers: there is no layer", {"sheet", "r", "-o", "s.png", "--layers", "particels"});
+  expectFault(2, "did you mean \"particles\"?", {"sheet", "r", "-o", "s.png", "--layers", "particels"});
   expectFault(2, "--layers: hud and curve have no place in a sheet",
               {"sheet", "r", "-o", "s.png", "--layers", "hud"});
   expectFault(2, "--kind: there is no kind of plot 'histogram'",
