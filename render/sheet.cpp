@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "render/sheet.h"
 
+#include "engine/core/mixing.h"
 #include "render/draw_bed.h"
 #include "render/draw_sampling.h"
 #include "render/draw_walls.h"
@@ -36,13 +37,19 @@ constexpr std::size_t longestRow = 9;
 constexpr float inner = pageWidth - 2.0f * margin * em;
 
 /// The height the panels of a run show, m: a diameter more than the highest particle; what is thrown far
-/// above the bed is cut.
-double shownHeight(const SheetRun& run) {
+/// above the bed is cut. Sampling cells are shown whole, with room for arrows that begin above them.
+double shownHeight(const SheetRun& run, Layers layers) {
   float highest = 0.0f;
   for (const FramePtr& frame : run.frames)
     for (const Vec2f& p : frame->position) highest = std::max(highest, p.y);
-  return std::min(static_cast<double>(highest) + 1.5 * run.scene->particles.diameter,
-                  1.5 * run.scene->bed.height);
+  double height = static_cast<double>(highest) + 1.5 * run.scene->particles.diameter;
+  if (layers.has(Layer::sampling) || layers.has(Layer::counts) || layers.has(Layer::flow)) {
+    const SamplingGrid grid = samplingGrid(*run.scene);
+    const double cell = grid.height / grid.rows;
+    height = cell * std::ceil(height / cell) +
+             (layers.has(Layer::flow) ? 0.5 * cell : 0.5 * run.scene->particles.diameter);
+  }
+  return std::min(height, 1.5 * run.scene->bed.height);
 }
 
 /// Where the panels of a run go, all with the same camera but for its place.
@@ -104,7 +111,7 @@ Page arrange(std::span<const SheetRun> runs, const Style& style, const Hud& hud)
     Grid& grid = page.runs[i];
     const float below = style.layers.has(Layer::walls) ? inletArrowHeight(scene, em) : 0.0f;
     grid.bed = {page.scale * static_cast<float>(scene.bed.width),
-                page.scale * static_cast<float>(shownHeight(runs[i]))};
+                page.scale * static_cast<float>(shownHeight(runs[i], style.layers))};
     grid.columnStep = grid.bed.x + gap * em;
     grid.rowStep = labelBand * em + grid.bed.y + below + 0.5f * em;
     if (i > 0) top += runGap * em;

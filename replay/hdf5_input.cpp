@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "replay/hdf5_input.h"
 
+#include "replay/hdf5_layout.h"
+
 #include <algorithm>
 #include <functional>
 #include <numeric>
@@ -30,14 +32,6 @@ H5 openDataset(hid_t file, const std::string& path) {
   return {H5Dopen2(file, path.c_str(), H5P_DEFAULT), "find " + path};
 }
 
-std::vector<hsize_t> extentOf(hid_t dataset, const std::string& path) {
-  const H5 space(H5Dget_space(dataset), "read the extents of " + path);
-  std::vector<hsize_t> extent(
-      static_cast<std::size_t>(checkHdf5(H5Sget_simple_extent_ndims(space), "read the extents of " + path)));
-  H5Sget_simple_extent_dims(space, extent.data(), nullptr);
-  return extent;
-}
-
 std::string toText(const std::vector<hsize_t>& extent) {
   std::string text;
   for (hsize_t n : extent) text += (text.empty() ? "" : " x ") + std::to_string(n);
@@ -58,27 +52,6 @@ hsize_t storedBytes(hid_t file, hid_t dataset) {
   return std::min(H5Dget_storage_size(dataset), fileSize);
 }
 
-/// HDF5 believes these sizes and reads past the end of what is smaller: a compact dataset, which lies in its
-/// header, against its extents, and chunks in their index against all of the same size.
-void checkLayout(hid_t dataset, hid_t type, hsize_t bytes, const std::string& path) {
-  const H5 creation(H5Dget_create_plist(dataset), "read the layout of " + path);
-  const H5D_layout_t layout = H5Pget_layout(creation);
-  hsize_t expected = bytes;
-  if (layout == H5D_CHUNKED && H5Pget_nfilters(creation) == 0) {
-    const H5 space(H5Dget_space(dataset), "read the extents of " + path);
-    std::vector<hsize_t> chunk(extentOf(dataset, path).size());
-    checkHdf5(H5Pget_chunk(creation, static_cast<int>(chunk.size()), chunk.data()),
-              "read the chunks of " + path);
-    checkHdf5(H5Dget_num_chunks(dataset, space, &expected), "read the chunks of " + path);
-    for (const hsize_t n : chunk) expected *= n;
-    expected *= H5Tget_size(type);
-  } else if (layout != H5D_COMPACT) {
-    return;
-  }
-  if (H5Dget_storage_size(dataset) != expected)
-    throw Hdf5Error(path + " is damaged: it has not as many bytes as it says");
-}
-
 }  // namespace
 
 Hdf5Values::Hdf5Values(hid_t file, std::string path, std::vector<hsize_t> row, bool isSeries)
@@ -97,7 +70,7 @@ Hdf5Values::Hdf5Values(hid_t file, std::string path, std::vector<hsize_t> row, b
   const hsize_t rowBytes = rowSize() * H5Tget_size(type);
   // A kill can leave the extent ahead of the data.
   if (isSeries_ && rowBytes > 0) rows_ = std::min(rows_, storedBytes(file, dataset_) / rowBytes);
-  checkLayout(dataset_, type, rows_ * rowBytes, path_);
+  checkLayout(dataset_, rows_ * rowBytes, path_);
 }
 
 std::size_t Hdf5Values::rowSize() const {
@@ -152,7 +125,7 @@ std::vector<std::string> Hdf5Input::texts(const std::string& path) const {
   const std::size_t size = H5Tget_size(type);
   if (size == 0 || extent[0] > storedBytes(file_, dataset) / size)
     throw Hdf5Error(path + " is damaged: it is longer than the file");
-  checkLayout(dataset, type, extent[0] * size, path);
+  checkLayout(dataset, extent[0] * size, path);
   std::string all(extent[0] * size, '\0');
   const H5 inMemory(H5Tcopy(type), "read " + path);
   if (!all.empty())

@@ -2,6 +2,7 @@
 #include "replay/hdf5_output.h"
 
 #include "replay/commit_driver.h"
+#include "replay/hdf5_layout.h"
 
 #include <algorithm>
 #include <functional>
@@ -61,20 +62,13 @@ H5 createGrowing(hid_t file, const std::string& path, hid_t type, const std::vec
           "make " + path};
 }
 
-std::vector<hsize_t> extentOf(hid_t dataset, const std::string& path) {
-  const H5 dataSpace(H5Dget_space(dataset), "read the extents of " + path);
-  std::vector<hsize_t> extent(static_cast<std::size_t>(
-      checkHdf5(H5Sget_simple_extent_ndims(dataSpace), "read the extents of " + path)));
-  H5Sget_simple_extent_dims(dataSpace, extent.data(), nullptr);
-  return extent;
-}
-
 /// Of the same extents but for the first.
 H5 findGrowing(hid_t file, const std::string& path, std::vector<hsize_t> extent) {
   H5 dataset(H5Dopen2(file, path.c_str(), H5P_DEFAULT), "find " + path);
   const std::vector<hsize_t> found = extentOf(dataset, path);
   if (!found.empty()) extent[0] = found[0];
   if (found != extent) throw Hdf5Error(path + " has other extents than the scene asks for");
+  checkChunks(dataset, path);
   return dataset;
 }
 

@@ -92,6 +92,36 @@ TEST_F(DamagedFile, ChunksWithoutDimensions) {
   EXPECT_EQ(fileText(path_), before);
 }
 
+TEST_F(DamagedFile, ChunkOfACheckpointThatIsTooSmallIsNotWrittenTo) {
+  {
+    auto writer = TrajectoryWriter::resume(path_, scene_, 3, 0);
+    ASSERT_TRUE(writer);
+    for (int slot = 0; slot < 2; ++slot) writer->keep(std::vector<std::byte>(5000, std::byte{7}));
+    ASSERT_FALSE(writer->failure());
+  }
+  damage([](std::string& bytes) {
+    // The index of a list of bytes in chunks: "TREE", kind, level, number of entries; two neighbours; then
+    // for each chunk its size first
+    using namespace std::string_view_literals;
+    constexpr std::string_view begin = "TREE\x01\x00\x02\x00"sv;
+    constexpr std::uint32_t whole = 4096, less = 8;
+    int spoiled = 0;
+    for (std::size_t at = bytes.find(begin); at != std::string::npos; at = bytes.find(begin, at + 1)) {
+      const std::size_t size = at + begin.size() + 2 * sizeof(std::uint64_t);
+      if (numberAt<std::uint32_t>(bytes, size) != whole) continue;
+      setNumber(bytes, size, less);
+      ++spoiled;
+    }
+    ASSERT_GT(spoiled, 0);
+  });
+  const std::string before = fileText(path_);
+  const auto writer = TrajectoryWriter::resume(path_, scene_, 2, 0);
+  ASSERT_FALSE(writer);
+  EXPECT_NE(writer.problems.front().message.find("it has not as many bytes as it says"), std::string::npos)
+      << writer.problems.front().message;
+  EXPECT_EQ(fileText(path_), before);
+}
+
 TEST_F(DamagedFile, AnEndOfTheProcessThatReadsIsMadeGood) {
   auto reader = TrajectoryReader::open(path_);
   ASSERT_TRUE(reader);
