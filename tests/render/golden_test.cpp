@@ -44,15 +44,7 @@ Difference compare(const Image& actual, const Image& expected) {
   return difference;
 }
 
-/// Of the last frame, the others observed.
-void expectGolden(const std::string& name, const Scene& scene, const Style& style,
-                  const std::vector<Frame>& frames) {
-  Result<Painter> painter = Painter::create(scene, {{240, 420}, style, 0});
-  ASSERT_TRUE(painter) << painter.problems[0].message;
-  for (const Frame& frame : frames) painter->observe(0, frame);
-  Image actual;
-  ASSERT_TRUE(painter->paint(frames.back(), actual));
-
+void expectGolden(const std::string& name, const Image& actual) {
   const fs::path file = fs::path(GOLDEN_FOLDER) / (name + ".png");
   if (std::getenv("BEDMIX_UPDATE_GOLDEN")) {
     ASSERT_TRUE(writePng(file, actual, {true, {}, {}}));
@@ -71,6 +63,17 @@ void expectGolden(const std::string& name, const Scene& scene, const Style& styl
     EXPECT_TRUE(writePng(folder / (name + "_difference.png"), difference.picture));
     ADD_FAILURE() << "see " << folder;
   }
+}
+
+/// Of the last frame, the others observed.
+void expectGolden(const std::string& name, const Scene& scene, const Style& style,
+                  const std::vector<Frame>& frames) {
+  Result<Painter> painter = Painter::create(scene, {{240, 420}, style, 0});
+  ASSERT_TRUE(painter) << painter.problems[0].message;
+  for (const Frame& frame : frames) painter->observe(0, frame);
+  Image actual;
+  ASSERT_TRUE(painter->paint(frames.back(), actual));
+  expectGolden(name, actual);
 }
 
 void expectGolden(const std::string& name, const Scene& scene, const Style& style) {
@@ -161,6 +164,46 @@ TEST(Golden, CountsInCoarseCells) {
 
 TEST(Golden, Flow) {
   expectGolden("flow", test::flatBed(), {Layer::flow, Layer::sampling, Layer::walls, Layer::hud});
+}
+
+Scene shortRun(Scene scene) {
+  scene.time.duration = 0.2;
+  return scene;
+}
+
+/// The stirred frames from t = 0 on, with tracer in the left half at first.
+std::vector<Frame> mixedFrames(const Scene& scene, double speed) {
+  std::vector<Frame> frames = stirredFrames(scene);
+  for (std::size_t i = 0; i < frames.front().size(); ++i) {
+    const std::uint8_t species = frames.front().position[i].x < 0.048f;
+    for (Frame& frame : frames) frame.species[i] = species;
+  }
+  for (Frame& frame : frames) frame.time = (frame.time - 0.4) / speed;
+  return frames;
+}
+
+TEST(Golden, CurveOfOneRun) {
+  const Scene scene = shortRun(test::flatBed());
+  expectGolden("curve", scene, {Layer::particles, Layer::walls, Layer::hud, Layer::curve},
+               mixedFrames(scene, 1.0));
+}
+
+TEST(Golden, RunsSideBySide) {
+  const std::vector<PaintedBed> beds{{shortRun(test::flatBed()), "even"},
+                                     {shortRun(test::inclinedBed()), "inclined"}};
+  const Style style{Layer::particles, Layer::walls, Layer::hud, Layer::curve};
+  Result<Painter> painter = Painter::create(beds, {{640, 360}, style, 0});
+  ASSERT_TRUE(painter) << painter.problems[0].message;
+  std::vector<Frame> last;
+  for (std::size_t bed = 0; bed < 2; ++bed) {
+    const std::vector<Frame> frames = mixedFrames(beds[bed].scene, bed == 0 ? 1.0 : 2.0);
+    for (const Frame& frame : frames) painter->observe(bed, frame);
+    last.push_back(frames.back());
+  }
+  Image actual;
+  const std::vector<const Frame*> shown{&last[0], &last[1]};
+  ASSERT_TRUE(painter->paint(shown, actual));
+  expectGolden("side_by_side", actual);
 }
 
 TEST(Golden, ColorSpeed) { expectGolden("color_speed", test::flatBed(), colored(ParticleColor::speed)); }
