@@ -74,8 +74,9 @@ std::optional<Diagnostic> sceneDifference(const Scene& recorded, const Scene& as
     what = fmt::format("{} is {} in the recorded run, and missing here", was->first, was->second);
   else
     what = fmt::format("{} is {}, but not there in the recorded run", is->first, is->second);
-  return Diagnostic{{"--resume"},
-                    what + "; give the scene, --set and --seed of that run, only --until and [pictures] may be others"};
+  return Diagnostic{
+      {"--resume"},
+      what + "; give the scene, --set and --seed of that run, only --until and [pictures] may be others"};
 }
 
 Result<ResumePoint> findResumePoint(TrajectoryReader recorded, const Scene& scene, int threads,

@@ -35,8 +35,8 @@ std::string drawing(const DiagramSeries& series, std::size_t number) {
   const bool hasBars = std::any_of(series.points.begin(), series.points.end(),
                                    [](const DiagramPoint& p) { return p.low != p.y || p.high != p.y; });
   const char* const points = hasBars ? "using 1:2:3:4 with yerrorbars" : "using 1:2 with points";
-  const auto look = fmt::format("linecolor rgb '{}' pointtype {} pointsize 1.5",
-                                plotColors[number % plotColors.size()], 4 + number % 10);
+  const auto look =
+      fmt::format("linecolor rgb '{}' pointtype {} pointsize 1.5", plotColor(number), 4 + number % 10);
   switch (series.style) {
     case Style::front:
       return "using 1:2 with fsteps linewidth 1 dashtype 3 linecolor rgb '#A0A0A0'";
@@ -51,8 +51,7 @@ std::string drawing(const DiagramSeries& series, std::size_t number) {
     case Style::line:
       break;
   }
-  return fmt::format("using 1:2 with linespoints linewidth 1 dashtype {} {}", number / plotColors.size() + 1,
-                     look);
+  return fmt::format("using 1:2 with linespoints linewidth 1 dashtype {} {}", plotDashes(number), look);
 }
 
 /// Labels for an axis that shows less than two decades: 1, 2 and 5 times powers of ten.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "render/gnuplot.h"
 
+#include "render/colors.h"
 #include "render/part_file.h"
 #include "render/png.h"
 #include "render/process.h"
@@ -92,6 +93,10 @@ Result<Done> drawInto(const PartFile& part, const fs::path& path, const PrintSiz
 }
 
 }  // namespace
+
+std::string plotColor(std::size_t n) { return colorText(seriesColors[n % seriesColors.size()]); }
+
+std::size_t plotDashes(std::size_t n) { return n / seriesColors.size() + 1; }
 
 // In gnuplot's single quotes nothing is special but the quote itself.
 std::string plotText(std::string_view text) {

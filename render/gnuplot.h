@@ -3,7 +3,7 @@
 
 #include "engine/core/diagnostic.h"
 
-#include <array>
+#include <cstddef>
 #include <filesystem>
 #include <string>
 #include <string_view>
@@ -12,8 +12,10 @@
 
 namespace bedmix {
 
-/// Dark to light in grey, apart for the colour-blind (Okabe and Ito), and apart by dashes in print.
-inline constexpr std::array plotColors{"#000000", "#009E73", "#0072B2", "#E69F00", "#56B4E9", "#CC79A7"};
+/// Colour and dashes of the n-th series of a figure, which tell it from all before: seriesColors, then the
+/// same with other dashes.
+std::string plotColor(std::size_t n);
+std::size_t plotDashes(std::size_t n);
 /// Of lines and axes of all figures.
 inline constexpr std::string_view plotFrame =
     "set grid linecolor rgb '#D0D0D0' linetype 1 linewidth 0.5\nset tics nomirror out\nset border 3\n";

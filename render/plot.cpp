@@ -139,7 +139,7 @@ std::string commandsFor(const PlotKind& kind, std::span<const Curve> curves, std
   std::string bands, lines;
   std::size_t at = 2;  // column of the table
   for (std::size_t i = 0; i < curves.size(); ++i) {
-    const char* const color = plotColors[i % plotColors.size()];
+    const std::string color = plotColor(i);
     if (curves[i].hasBand())
       bands += fmt::format(
           "  data skip 1 using 1:{}:{} with filledcurves fillcolor rgb '{}' fillstyle transparent solid 0.25 "
@@ -147,7 +147,7 @@ std::string commandsFor(const PlotKind& kind, std::span<const Curve> curves, std
           at + 1, at + 2, color);
     lines += fmt::format(
         "  data skip 1 using 1:{} with lines linewidth 1 dashtype {} linecolor rgb '{}' title {}, \\\n", at,
-        i / plotColors.size() + 1, color, plotText(fitting(curves[i].label)));
+        plotDashes(i), color, plotText(fitting(curves[i].label)));
     at += curves[i].hasBand() ? 3 : 1;
   }
   for (const Level& level : levels)

@@ -45,7 +45,8 @@ struct MixingSample {
   double countedFraction = 0.0;            // particles in used cells over all particles
 };
 
-/// A bed counts as mixed from the first time on at which Ashton's index is this high, as in Tian et al. (2007).
+/// A bed counts as mixed from the first time on at which Ashton's index is this high, as in Tian et al.
+/// (2007).
 inline constexpr double mixedIndex = 0.9;
 
 /// Lacey's and Ashton's indices after Tian et al. (2007), Eqs (13) to (15). Integer counts only, so the order
