@@ -21,6 +21,9 @@ Diagnostic missing(const char* encoder) {
 AvFilm::~AvFilm() { release(); }
 
 void AvFilm::release() {
+  if (hasBegun_)
+    av_write_trailer(file_);  // else what the muxer holds back is lost to memory: the last of a GIF
+  hasBegun_ = false;
   av_packet_free(&packet_);
   av_frame_free(&frame_);
   avcodec_free_context(&encoder_);
@@ -84,6 +87,7 @@ Result<Done> AvFilm::openFile() {
   const int error = avformat_write_header(file_, &options);
   av_dict_free(&options);
   if (error < 0) return failure(error);
+  hasBegun_ = true;
   return Done{};
 }
 
@@ -113,6 +117,7 @@ Result<Done> AvFilm::pass(const AVFrame* input) {
 
 Result<Done> AvFilm::close() {
   if (Result<Done> done = pass(nullptr); !done) return done;
+  hasBegun_ = false;
   if (const int error = av_write_trailer(file_); error < 0) return failure(error);
   if (const int error = avio_closep(&file_->pb); error < 0) return failure(error);
   release();  // what is done with the film next may need the memory

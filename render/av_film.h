@@ -60,6 +60,7 @@ class AvFilm {
   PartFile part_;
   AvFormat format_;
   std::int64_t pictures_ = 0;
+  bool hasBegun_ = false;  // the file, and not ended yet
   AVFormatContext* file_ = nullptr;
   AVCodecContext* encoder_ = nullptr;
   AVFrame* frame_ = nullptr;

@@ -9,6 +9,12 @@
 #include <cmath>
 #include <string>
 
+#ifdef __SANITIZE_ADDRESS__
+// What is freed would else be kept for a while, and counted.
+extern "C" const char* __asan_default_options();
+extern "C" const char* __asan_default_options() { return "quarantine_size_mb=1"; }
+#endif
+
 namespace bedmix {
 namespace {
 
