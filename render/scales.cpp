@@ -54,7 +54,7 @@ double arrowScale(const Scene& scene, Layer arrows) {
     metres = makeGasGrid(scene).dx(0);
   } else if (arrows == Layer::flow) {
     const SamplingGrid grid = samplingGrid(scene);
-    metres = 1.2 * std::min(grid.width / grid.columns, grid.height / grid.rows);
+    metres = 0.75 * std::min(grid.width / grid.columns, grid.height / grid.rows);
   }
   if (!(speed > 0.0)) speed = 1.0;
   return metres / speed;
