@@ -6,6 +6,7 @@
 #include "engine/core/bed_statistics.h"
 #include "engine/core/scene_keys.h"
 #include "engine/core/scene_reader.h"
+#include "replay/analysis/analysis.h"
 #include "replay/trajectory_reader.h"
 
 #include <CLI/CLI.hpp>
@@ -27,6 +28,7 @@ struct ReplayOptions {
   std::string minParticles;  // as TOML
   std::string tracer;
   FrameSelection frames;
+  std::string analyses;  // comma-separated
   bool json = false;
 };
 
@@ -64,6 +66,19 @@ ExitCode replay(const ReplayOptions& options, const Console& console) {
   const auto selected = selectFrames(reader->times(), options.frames);
   if (!selected) return console.fail(selected.problems);
 
+  std::vector<std::unique_ptr<Analysis>> analyses;
+  if (!options.analyses.empty()) {
+    auto kinds = chooseAnalyses(options.analyses, scene);
+    if (!kinds) {
+      for (Diagnostic& d : kinds.problems) d.at.file = "--analysis";
+      return console.fail(kinds.problems);
+    }
+    const double span = reader->times()[selected->back()] - reader->times()[selected->front()];
+    const AnalysisInput input{scene, selected->size(),
+                              span / std::max(1.0, static_cast<double>(selected->size() - 1))};
+    for (const AnalysisKind* kind : *kinds) analyses.push_back(kind->make(input));
+  }
+
   const auto folder = makeReplayFolder(options.folder.empty() ? runFolderOf(options.run) / "replay"
                                                               : fs::path(options.folder));
   if (!folder) return console.fail(folder.problems);
@@ -78,9 +93,22 @@ ExitCode replay(const ReplayOptions& options, const Console& console) {
       retagged = **frame;
       retagged.species = tracer;
     }
+    const Frame& seen = tracer.empty() ? **frame : retagged;
     for (const auto& sink : *series) {
-      sink->accept(tracer.empty() ? **frame : retagged);
+      sink->accept(seen);
       if (sink->failure()) return console.fail(*sink->failure());
+    }
+    for (const auto& analysis : analyses) analysis->accept(seen);
+  }
+  nlohmann::ordered_json findings = nlohmann::ordered_json::object();
+  for (const auto& analysis : analyses) {
+    for (const NamedTable& made : analysis->tables())
+      if (const auto problem = writeCsv(folder->path / (made.name + ".csv"), made.table))
+        return console.fail(*problem);
+    for (const Finding& f : analysis->findings()) {
+      nlohmann::ordered_json value;
+      if (f.value) value = *f.value;
+      findings[f.name] = {{"value", value}, {"unit", f.unit}};
     }
   }
 
@@ -90,7 +118,8 @@ ExitCode replay(const ReplayOptions& options, const Console& console) {
                                            {"scene", scene.name},
                                            {"frames", selected->size()},
                                            {"from", reader->times()[selected->front()]},
-                                           {"to", reader->times()[selected->back()]}};
+                                           {"to", reader->times()[selected->back()]},
+                                           {"findings", findings}};
     console.print(result.dump(2));
   }
   return ExitCode::done;
@@ -117,6 +146,13 @@ void addReplayCommand(CLI::App& program, CommandContext context) {
                    fmt::format("Tag the particles anew: {}", fmt::join(rules, ", ")))
       ->type_name("RULE");
   addFrameSelection(*command, options->frames);
+  std::vector<std::string_view> analyses;
+  for (const AnalysisKind& kind : analysisKinds()) analyses.push_back(kind.name);
+  command
+      ->add_option("--analysis", options->analyses,
+                   fmt::format("Derive more, each into a table of its own: all, or some of {}",
+                               fmt::join(analyses, ", ")))
+      ->type_name("NAMES");
   command->add_flag("--json", options->json, "Print what was done as JSON");
   command->footer("Example:\n  bedmix replay out/even -o out/even-8x30 --sampling 8x30 --min-particles 6");
   command->callback([options, context] { context.outcome = replay(*options, context.console); });

@@ -63,6 +63,22 @@ const Table::Column* Table::find(std::string_view name) const {
   return at == names.end() ? nullptr : &columns[static_cast<std::size_t>(at - names.begin())];
 }
 
+void Table::append(std::span<const std::optional<double>> row) {
+  for (std::size_t c = 0; c < columns.size(); ++c) columns[c].push_back(row[c]);
+}
+
+std::optional<double> meanOf(const Table::Column& column) {
+  double sum = 0.0;
+  std::size_t defined = 0;
+  for (const std::optional<double>& value : column)
+    if (value) {
+      sum += *value;
+      ++defined;
+    }
+  if (defined == 0) return std::nullopt;
+  return sum / static_cast<double>(defined);
+}
+
 Result<Table> readCsv(const std::filesystem::path& path) {
   std::ifstream file(path, std::ios::binary);
   if (!file) return fileTrouble(path, "cannot be read: " + systemReason());
@@ -93,7 +109,7 @@ Result<CsvWriter> CsvWriter::create(const std::filesystem::path& path, std::stri
   return writer;
 }
 
-std::optional<Diagnostic> CsvWriter::row(std::initializer_list<std::optional<double>> values) {
+std::optional<Diagnostic> CsvWriter::row(std::span<const std::optional<double>> values) {
   std::string text;
   for (const std::optional<double>& value : values) {
     if (value) fmt::format_to(std::back_inserter(text), "{}", *value);
@@ -109,6 +125,17 @@ std::optional<Diagnostic> CsvWriter::line(const std::string& text) {
   if (written) return std::nullopt;
   return fileTrouble(
       path_, "cannot be written: " + systemReason() + "; what stands in it is whole up to its last line");
+}
+
+std::optional<Diagnostic> writeCsv(const std::filesystem::path& path, const Table& table) {
+  Result<CsvWriter> csv = CsvWriter::create(path, fmt::format("{}", fmt::join(table.names, ",")));
+  if (!csv) return csv.problems.front();
+  std::vector<std::optional<double>> row(table.columns.size());
+  for (std::size_t i = 0; i < table.rows(); ++i) {
+    for (std::size_t c = 0; c < row.size(); ++c) row[c] = table.columns[c][i];
+    if (auto problem = csv->row(row)) return problem;
+  }
+  return std::nullopt;
 }
 
 }  // namespace bedmix

@@ -9,6 +9,7 @@
 #include <initializer_list>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -24,7 +25,13 @@ struct Table {
   std::size_t rows() const { return columns.empty() ? 0 : columns.front().size(); }
   /// The column of that name; null where there is none.
   const Column* find(std::string_view name) const;
+  /// Adds a row, of as many values as there are columns.
+  void append(std::span<const std::optional<double>> row);
+  void append(std::initializer_list<std::optional<double>> row) { append(std::span(row.begin(), row.size())); }
 };
+
+/// Mean of what is defined in a column; empty where nothing is.
+std::optional<double> meanOf(const Table::Column& column);
 
 /// Reads a table of numbers: a header, commas, an empty field for a gap. Fails, with line and column, on text
 /// that is no number and on rows that are longer or shorter than the header. A last line without its end, as
@@ -38,7 +45,10 @@ class CsvWriter {
   /// Makes the file anew and writes the header.
   static Result<CsvWriter> create(const std::filesystem::path& path, std::string_view header);
 
-  std::optional<Diagnostic> row(std::initializer_list<std::optional<double>> values);
+  std::optional<Diagnostic> row(std::span<const std::optional<double>> values);
+  std::optional<Diagnostic> row(std::initializer_list<std::optional<double>> values) {
+    return row(std::span(values.begin(), values.size()));
+  }
 
  private:
   struct Closer {
@@ -50,5 +60,8 @@ class CsvWriter {
   std::filesystem::path path_;
   std::unique_ptr<std::FILE, Closer> file_;
 };
+
+/// Writes a whole table in that form.
+std::optional<Diagnostic> writeCsv(const std::filesystem::path& path, const Table& table);
 
 }  // namespace bedmix

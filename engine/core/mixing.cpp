@@ -6,27 +6,6 @@
 
 namespace bedmix {
 
-namespace {
-
-/// Index of the cell of n over [0, length] that holds `at`, or -1 outside.
-int cellOf(float at, double length, int n) {
-  const double scaled = static_cast<double>(at) / length * n;
-  if (!(scaled >= 0.0 && scaled <= n)) return -1;
-  return std::min(static_cast<int>(scaled), n - 1);
-}
-
-/// Calls `use(cell, row of the frame)` for each particle in the grid.
-template <class Use>
-void forParticlesInCells(const Frame& frame, const SamplingGrid& grid, const Use& use) {
-  for (std::size_t i = 0; i < frame.size(); ++i) {
-    const int column = cellOf(frame.position[i].x, grid.width, grid.columns);
-    const int row = cellOf(frame.position[i].y, grid.height, grid.rows);
-    if (column >= 0 && row >= 0) use(static_cast<std::size_t>(row) * grid.columns + column, i);
-  }
-}
-
-}  // namespace
-
 SamplingGrid samplingGrid(const Scene& scene) {
   const SamplingSettings& s = scene.sampling;
   return {static_cast<int>(s.columns), static_cast<int>(s.rows), static_cast<int>(s.minParticles),
@@ -34,8 +13,7 @@ SamplingGrid samplingGrid(const Scene& scene) {
 }
 
 CellCounts countCells(const Frame& frame, const SamplingGrid& grid) {
-  const std::size_t cells = static_cast<std::size_t>(grid.columns) * static_cast<std::size_t>(grid.rows);
-  CellCounts counts{std::vector<std::int32_t>(cells), std::vector<std::int32_t>(cells)};
+  CellCounts counts{std::vector<std::int32_t>(grid.cells()), std::vector<std::int32_t>(grid.cells())};
   forParticlesInCells(frame, grid, [&](std::size_t cell, std::size_t i) {
     ++counts.all[cell];
     counts.tracer[cell] += frame.species[i] == 1;
@@ -44,14 +22,13 @@ CellCounts countCells(const Frame& frame, const SamplingGrid& grid) {
 }
 
 std::vector<Vec2> meanVelocities(const Frame& frame, const SamplingGrid& grid, std::int32_t fewest) {
-  const std::size_t cells = static_cast<std::size_t>(grid.columns) * static_cast<std::size_t>(grid.rows);
-  std::vector<Vec2> mean(cells);
-  std::vector<std::int32_t> counts(cells);
+  std::vector<Vec2> mean(grid.cells());
+  std::vector<std::int32_t> counts(grid.cells());
   forParticlesInCells(frame, grid, [&](std::size_t cell, std::size_t i) {
     mean[cell] += Vec2{static_cast<double>(frame.velocity[i].x), static_cast<double>(frame.velocity[i].y)};
     ++counts[cell];
   });
-  for (std::size_t cell = 0; cell < cells; ++cell)
+  for (std::size_t cell = 0; cell < grid.cells(); ++cell)
     mean[cell] = counts[cell] < std::max(fewest, 1) ? Vec2{} : mean[cell] * (1.0 / counts[cell]);
   return mean;
 }

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "engine/core/frame.h"
-#include "engine/core/scene.h"
+#include "engine/core/sampling_grid.h"
 
 #include <cstdint>
 #include <optional>
@@ -10,25 +10,14 @@
 
 namespace bedmix {
 
-/// Equal cells over the bed's width and height in which tracer is counted (Tian et al. 2007, Fig. 5).
-struct SamplingGrid {
-  int columns = 4;
-  int rows = 15;
-  int minParticles = 21;  // a cell with fewer is not used
-  double width = 0.0;     // m
-  double height = 0.0;    // m
-};
-SamplingGrid samplingGrid(const Scene& scene);
-
-/// Whole particles per cell, row-major, bottom row first. Particles outside the grid are in no cell.
+/// Whole particles per cell.
 struct CellCounts {
   std::vector<std::int32_t> all;
   std::vector<std::int32_t> tracer;
 };
-/// A particle on an edge belongs to the cell to its right or above, on the outermost edges to the last cell.
 CellCounts countCells(const Frame& frame, const SamplingGrid& grid);
 
-/// Mean velocity of the particles in each cell, m/s, in the same order; zero where there are fewer than
+/// Mean velocity of the particles in each cell, m/s, zero where there are fewer than
 /// `fewest`.
 std::vector<Vec2> meanVelocities(const Frame& frame, const SamplingGrid& grid, std::int32_t fewest);
 

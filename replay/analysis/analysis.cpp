@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: MIT
+#include "replay/analysis/analysis.h"
+
+#include "engine/core/near_miss.h"
+#include "replay/analysis/granular_temperature.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+namespace bedmix {
+
+namespace {
+
+std::string_view nothing(const Scene&) { return ""; }
+
+template <class A>
+std::unique_ptr<Analysis> make(const AnalysisInput& input) {
+  return std::make_unique<A>(input);
+}
+
+constexpr std::array kinds{
+    AnalysisKind{"temperature",
+                 "granular temperature: a third of the velocities' variance within the sampling cells, with "
+                 "the plane's mean for the direction that is not simulated",
+                 "Gidaspow (1994), Multiphase Flow and Fluidization, ch. 9", nothing,
+                 make<GranularTemperature>},
+};
+
+std::string listOf(std::span<const AnalysisKind> all) {
+  std::string list;
+  for (const AnalysisKind& kind : all)
+    list += fmt::format("\n  {:<14}{} ({})", kind.name, kind.what, kind.citation);
+  return list;
+}
+
+}  // namespace
+
+std::span<const AnalysisKind> analysisKinds() { return kinds; }
+
+Result<std::vector<const AnalysisKind*>> chooseAnalyses(std::string_view names, const Scene& scene) {
+  std::vector<const AnalysisKind*> chosen;
+  if (names == "all") {
+    for (const AnalysisKind& kind : kinds)
+      if (kind.lacks(scene).empty()) chosen.push_back(&kind);
+    return chosen;
+  }
+  std::vector<Diagnostic> problems;
+  for (std::size_t from = 0; from <= names.size();) {
+    const std::size_t comma = std::min(names.find(',', from), names.size());
+    const std::string_view name = names.substr(from, comma - from);
+    from = comma + 1;
+    const auto kind = std::find_if(kinds.begin(), kinds.end(), [&](const auto& k) { return k.name == name; });
+    if (kind == kinds.end()) {
+      std::vector<std::string> known{"all"};
+      for (const AnalysisKind& k : kinds) known.emplace_back(k.name);
+      problems.push_back({{}, fmt::format("there is no analysis \"{}\"{}; there are{}", name,
+                                          didYouMean(std::string(name), known), listOf(kinds))});
+    } else if (const std::string_view lack = kind->lacks(scene); !lack.empty()) {
+      problems.push_back({{}, fmt::format("\"{}\" needs {}", name, lack)});
+    } else if (std::find(chosen.begin(), chosen.end(), &*kind) == chosen.end()) {
+      chosen.push_back(&*kind);
+    }
+  }
+  if (!problems.empty()) return problems;
+  return chosen;
+}
+
+}  // namespace bedmix
