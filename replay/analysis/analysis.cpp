@@ -55,8 +55,9 @@ Result<std::vector<const AnalysisKind*>> chooseAnalyses(std::string_view names, 
     if (kind == kinds.end()) {
       std::vector<std::string> known{"all"};
       for (const AnalysisKind& k : kinds) known.emplace_back(k.name);
-      problems.push_back({{}, fmt::format("there is no analysis \"{}\"{}; there are{}", name,
-                                          didYouMean(std::string(name), known), listOf(kinds))});
+      problems.push_back({{},
+                          fmt::format("there is no analysis \"{}\"{}; there are{}", name,
+                                      didYouMean(std::string(name), known), listOf(kinds))});
     } else if (const std::string_view lack = kind->lacks(scene); !lack.empty()) {
       problems.push_back({{}, fmt::format("\"{}\" needs {}", name, lack)});
     } else if (std::find(chosen.begin(), chosen.end(), &*kind) == chosen.end()) {

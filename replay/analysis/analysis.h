@@ -18,9 +18,9 @@ namespace bedmix {
 
 /// What an analysis knows of the frames to come.
 struct AnalysisInput {
-  const Scene& scene;         // outlives the analysis
-  std::size_t frames = 0;     // how many there will be, at least one
-  double interval = 0.0;      // s, between them on average; 0 where there is but one
+  const Scene& scene;      // outlives the analysis
+  std::size_t frames = 0;  // how many there will be, at least one
+  double interval = 0.0;   // s, between them on average; 0 where there is but one
 };
 
 /// A number that an analysis found; empty where it is not defined for the run.
