@@ -86,7 +86,7 @@ TEST_F(ReplayPipeline, ExpressionThatIsNoneIsRefused) {
 }
 
 TEST_F(ReplayPipeline, RunComputedAgainIsTheSame) {
-  for (const std::vector<std::string> more : {{}, std::vector<std::string>{"--from", "0"}}) {
+  for (const auto& more : {std::vector<std::string>{}, {"--from", "0"}}) {
     std::vector<std::string> words{"replay", "r", "--verify", "--json"};
     words.insert(words.end(), more.begin(), more.end());
     const Outcome verified = bedmix(words);
@@ -102,7 +102,7 @@ TEST_F(ReplayPipeline, RunComputedAgainIsTheSame) {
 
 TEST_F(ReplayPipeline, FirstStepThatIsAnotherIsNamed) {
   const fs::path file = folder / "r/trajectory.h5";
-  const auto reader = TrajectoryReader::open(file);
+  auto reader = TrajectoryReader::open(file);
   ASSERT_TRUE(reader);
   const FramePtr third = *reader->frame(3);
   std::string bytes = readFile(file);
