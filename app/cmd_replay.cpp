@@ -56,7 +56,7 @@ Result<Json> toJson(const RecordedRun& run, const Replayed& replayed) {
   auto series = seriesOf(replayed);
   if (!series) return series.problems;
   Json findings = Json::object();
-  for (const Finding& f : replayed.findings)
+  for (const FoundNumber& f : replayed.findings)
     findings[f.name] = {{"value", toJson(f.value)}, {"unit", f.unit}};
   return Json{{"folder", replayed.folder.string()},
               {"scene", run.scene().name},
@@ -120,7 +120,7 @@ ExitCode replay(const ReplayOptions& options, const Console& console) {
     }
     all.push_back(*told);
     console.say(fmt::format("{} frames re-derived into {}", results[i]->frames, results[i]->folder.string()));
-    for (const Finding& f : results[i]->findings)
+    for (const FoundNumber& f : results[i]->findings)
       console.say(fmt::format("  {} = {}{}{}", f.name,
                               f.value ? fmt::format("{:.4g}", *f.value) : "undefined",
                               f.unit.empty() ? "" : " ", f.unit));

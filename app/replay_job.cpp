@@ -111,7 +111,7 @@ Result<Replayed> replayRun(RecordedRun& run, const ReplaySettings& settings,
       if (auto problem = writeCsv(done.folder / (made.name + ".csv"), made.table)) return *problem;
       done.series.push_back(made.name);
     }
-    const std::vector<Finding> found = analysis->findings();
+    const std::vector<FoundNumber> found = analysis->findings();
     done.findings.insert(done.findings.end(), found.begin(), found.end());
   }
   return done;

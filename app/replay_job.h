@@ -29,7 +29,7 @@ struct Replayed {
   std::vector<std::string> series;  // names of the tables there, without ".csv"
   std::size_t frames = 0;
   double from = 0.0, to = 0.0;  // s
-  std::vector<Finding> findings;
+  std::vector<FoundNumber> findings;
 };
 
 /// Derives the series of a run, and what the analyses find, from its frames into a folder, which is made.

@@ -24,7 +24,7 @@ struct AnalysisInput {
 };
 
 /// A number that an analysis found; empty where it is not defined for the run.
-struct Finding {
+struct FoundNumber {
   std::string name;  // e.g. "dispersion_x"
   std::optional<double> value;
   std::string unit;  // "" where it has none
@@ -42,7 +42,7 @@ class Analysis : public FrameSink {
  public:
   /// To be asked after the last frame.
   virtual std::vector<NamedTable> tables() const = 0;
-  virtual std::vector<Finding> findings() const = 0;
+  virtual std::vector<FoundNumber> findings() const = 0;
 };
 
 /// One selectable analysis: its name, what it derives and by which definition, where that comes from.

@@ -15,7 +15,7 @@ class GranularTemperature final : public Analysis {
 
   void accept(const Frame& frame) override;
   std::vector<NamedTable> tables() const override { return {{"temperature", table_}}; }
-  std::vector<Finding> findings() const override;
+  std::vector<FoundNumber> findings() const override;
 
  private:
   SamplingGrid grid_;
