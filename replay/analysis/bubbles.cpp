@@ -12,6 +12,8 @@ namespace bedmix {
 namespace {
 
 constexpr int none = -1;
+/// Cells of the smallest bubble that counts: smaller ones flicker rather than move from cell to cell.
+constexpr std::size_t fewestCells = 4;
 
 /// Superficial velocity of all inlets over the whole width, m/s.
 double superficialVelocity(const Scene& scene) {
@@ -69,7 +71,8 @@ std::vector<Bubbles::Bubble> Bubbles::find(const Frame& frame) const {
       }
       bubble.centroid *= 1.0 / bubble.area;
       const double height = bubble.centroid.y - floorHeight(scene_, bubble.centroid.x);
-      if (top + 1 < grid_.rows && height < surface) found.push_back(std::move(bubble));
+      if (top + 1 < grid_.rows && height < surface && bubble.cells.size() >= fewestCells)
+        found.push_back(std::move(bubble));
     }
   return found;
 }
@@ -119,7 +122,7 @@ void Bubbles::accept(const Frame& frame) {
     s.diameter += diameter;
     s.darton +=
         0.54 * std::pow(excess_, 0.4) * std::pow(std::max(height, 0.0), 0.8) * std::pow(scene_.gravity, -0.2);
-    s.davidson += excess_ + 0.711 * std::sqrt(scene_.gravity * diameter);
+    s.isolated += 0.711 * std::sqrt(scene_.gravity * diameter);
     std::optional<double> rise;
     if (was[b]) {
       rise = (at.y - was[b]->centroid.y) / interval;
@@ -140,14 +143,16 @@ void Bubbles::accept(const Frame& frame) {
 }
 
 Table Bubbles::profile() const {
-  Table table{{"height", "bubbles", "diameter", "rise", "frequency", "diameter_darton", "rise_davidson"},
-              std::vector<Table::Column>(7)};
+  Table table{{"height", "bubbles", "diameter", "rise", "frequency", "diameter_darton", "rise_isolated",
+               "rise_davidson"},
+              std::vector<Table::Column>(8)};
   for (std::size_t i = 0; i < stretches_.size(); ++i) {
     const Stretch& s = stretches_[i];
     const auto mean = [](double sum, double n) { return n > 0.0 ? std::optional(sum / n) : std::nullopt; };
     table.append({(static_cast<double>(i) + 0.5) * spacing_, mean(s.bubbles, frames_),
                   mean(s.diameter, s.bubbles), mean(s.rise, s.followed), mean(s.passed, duration_),
-                  mean(s.darton, s.bubbles), mean(s.davidson, s.bubbles)});
+                  mean(s.darton, s.bubbles), mean(s.isolated, s.bubbles),
+                  mean(s.isolated + s.bubbles * excess_, s.bubbles)});
   }
   return table;
 }
@@ -161,14 +166,15 @@ std::vector<Finding> Bubbles::findings() const {
     all.rise += s.rise;
     all.passed = std::max(all.passed, s.passed);
     all.darton += s.darton;
-    all.davidson += s.davidson;
+    all.isolated += s.isolated;
   }
   const auto mean = [](double sum, double n) { return n > 0.0 ? std::optional(sum / n) : std::nullopt; };
   return {{"bubbles", mean(all.bubbles, frames_), ""},
           {"bubble_diameter", mean(all.diameter, all.bubbles), "m"},
           {"bubble_diameter_darton", mean(all.darton, all.bubbles), "m"},
           {"bubble_rise", mean(all.rise, all.followed), "m/s"},
-          {"bubble_rise_davidson", mean(all.davidson, all.bubbles), "m/s"},
+          {"bubble_rise_isolated", mean(all.isolated, all.bubbles), "m/s"},
+          {"bubble_rise_davidson", mean(all.isolated + all.bubbles * excess_, all.bubbles), "m/s"},
           {"bubble_frequency", mean(all.passed, duration_), "1/s"}};
 }
 

@@ -9,18 +9,18 @@
 
 namespace bedmix {
 
-/// Bubbles: gas cells that share sides and whose voidage is above `pictures.bubble_voidage`, as the layer
-/// bubbles draws them, but for what is connected with the outlet or has its centroid above the bed. A
-/// bubble's diameter is that of a circle of its area. From one frame to the next it is the one that it shares
-/// most area with, if that holds both ways; its rise is what the centroid rises by meanwhile.
+/// Bubbles: four gas cells or more that share sides and whose voidage is above `pictures.bubble_voidage`, as
+/// the layer bubbles draws them, but for what is connected with the outlet or has its centroid above the bed.
+/// A bubble's diameter is that of a circle of its area. From one frame to the next it is the one that it
+/// shares most area with, if that holds both ways; its rise is what the centroid rises by meanwhile.
 ///
-/// Beside them stand, for porous distributors, d = 0.54 (u - u_mf)^0.4 h^0.8 g^-0.2 (Darton et al. 1977) at
-/// the height h, and u - u_mf + 0.711 sqrt(g d) (Davidson & Harrison 1963) of the diameter that was found;
-/// both hold for bubbles that walls are far from.
+/// Beside them stand, at the height h and of the diameter d that were found, d = 0.54 (u - u_mf)^0.4 h^0.8
+/// g^-0.2 (Darton et al. 1977, no orifices), 0.711 sqrt(g d) of a bubble by itself, and u - u_mf + 0.711
+/// sqrt(g d) (Davidson & Harrison 1963); these hold far from walls.
 ///
 /// Tables "bubbles", one row a bubble and frame: time, x, y, diameter, rise (empty where it is new); and
 /// "bubble_profile" by stretches of three diameters above the floor: height of the middle, bubbles in a
-/// frame, diameter, rise, those that rise through the middle in a second, and the two correlations.
+/// frame, diameter, rise, those that rise through the middle in a second, and the correlations.
 class Bubbles final : public Analysis {
  public:
   explicit Bubbles(const AnalysisInput& input);
@@ -42,7 +42,7 @@ class Bubbles final : public Analysis {
     double bubbles = 0.0, diameter = 0.0;
     double followed = 0.0, rise = 0.0;
     double passed = 0.0;
-    double darton = 0.0, davidson = 0.0;
+    double darton = 0.0, isolated = 0.0;
   };
   std::vector<Bubble> find(const Frame& frame) const;
   /// For each of the bubbles now the one that it was, or null.

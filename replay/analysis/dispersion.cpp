@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "replay/analysis/dispersion.h"
 
+#include "engine/core/bed_statistics.h"
 #include "replay/analysis/by_id.h"
+
+#include <algorithm>
 
 namespace bedmix {
 
@@ -9,8 +12,8 @@ namespace {
 
 constexpr std::size_t originCount = 16;
 
-/// Half the least-squares slope of a column of `table` over its lags, where its values are first between
-/// `low` and `high`; and the longest lag of those.
+/// Half the least-squares slope of a column of `table` over its lags, as long as the root of its values lies
+/// between `low` and `high`; and the longest lag of those.
 struct Fit {
   std::optional<double> coefficient, until;
 };
@@ -20,8 +23,8 @@ Fit fit(const Table& table, std::size_t column, double low, double high) {
   for (std::size_t r = 0; r < table.rows(); ++r) {
     if (!table.columns[column][r]) continue;
     const double lag = *table.columns[0][r], value = *table.columns[column][r];
-    if (value > high) break;
-    if (value < low) continue;
+    if (value > high * high) break;
+    if (value < low * low) continue;
     n += 1.0;
     t += lag;
     y += value;
@@ -37,9 +40,8 @@ Fit fit(const Table& table, std::size_t column, double low, double high) {
 }  // namespace
 
 Dispersion::Dispersion(const AnalysisInput& input)
-    : interval_(input.interval),
-      shortest_(input.scene.particles.diameter),
-      longest_(input.scene.bed.width / 4.0),
+    : scene_(input.scene),
+      interval_(input.interval),
       every_((input.frames + originCount - 1) / originCount),
       sums_(input.frames / 2) {}
 
@@ -62,6 +64,7 @@ void Dispersion::accept(const Frame& frame) {
     ++sums_[lag - 1].origins;
   }
   if (seen_ % every_ == 0) origins_.push_back({seen_, frame.id, frame.position});
+  heights_ += bedHeight(frame, scene_);
   ++seen_;
 }
 
@@ -77,8 +80,9 @@ Table Dispersion::table() const {
 
 std::vector<Finding> Dispersion::findings() const {
   const Table all = table();
-  const double low = shortest_ * shortest_, high = longest_ * longest_;
-  const Fit x = fit(all, 1, low, high), y = fit(all, 2, low, high);
+  const double shortest = scene_.particles.diameter;
+  const double height = heights_ / static_cast<double>(std::max<std::size_t>(seen_, 1));
+  const Fit x = fit(all, 1, shortest, 0.25 * scene_.bed.width), y = fit(all, 2, shortest, 0.25 * height);
   return {{"dispersion_x", x.coefficient, "m2/s"},
           {"dispersion_x_until", x.until, "s"},
           {"dispersion_y", y.coefficient, "m2/s"},

@@ -12,7 +12,8 @@ namespace bedmix {
 /// (Einstein 1905; Mostoufi & Chaouki 2001), the motion of the bed as a whole removed:
 ///   msd(lag) = <(dx - <dx>)^2> over the particles, mean over 16 origins spread over the frames.
 /// What circulates still counts, unlike in `mechanisms`. The slope is by least squares over the lags at which
-/// the root of msd lies between a diameter and a quarter of the bed's width, before walls hold particles up.
+/// the root of msd lies between a diameter and a quarter of the bed's width, of its mean height along y:
+/// before walls hold particles up.
 ///
 /// Table "dispersion": lag up to half of the time, s; msd_x, msd_y, m2.
 class Dispersion final : public Analysis {
@@ -35,8 +36,10 @@ class Dispersion final : public Analysis {
   };
   Table table() const;
 
-  double interval_, shortest_, longest_;  // s, m, m
-  std::size_t every_;                     // frames between origins
+  const Scene& scene_;
+  double interval_;       // s
+  double heights_ = 0.0;  // of the bed, summed, m
+  std::size_t every_;     // frames between origins
   std::size_t seen_ = 0;
   std::vector<Origin> origins_;
   std::vector<Sum> sums_;  // by lag in frames, from 1

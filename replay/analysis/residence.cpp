@@ -40,7 +40,7 @@ void Residence::accept(const Frame& frame) {
     std::vector<double> sorted = height;
     const auto middle = sorted.begin() + static_cast<std::ptrdiff_t>(n / 2);
     std::nth_element(sorted.begin(), middle, sorted.end());
-    median = *middle;
+    median = n % 2 ? *middle : 0.5 * (*middle + *std::max_element(sorted.begin(), middle));
   }
   const double d = scene_.particles.diameter, nearest = 3.0 * d;
 

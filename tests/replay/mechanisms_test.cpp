@@ -79,7 +79,8 @@ TEST(Mechanisms, RandomMotionIsDiffusiveButForWhatAFitTakes) {
 }
 
 TEST(Mechanisms, PartsAddUpToTheWholeAsParticlesComeAndGo) {
-  const Scene scene = bedOf(2, 3);
+  Scene scene = bedOf(2, 3);
+  scene.particles.count = 600;
   Mechanisms analysis({scene, 40, 0.01});
   for (int i = 0; i < 40; ++i) analysis.accept(without(syntheticFrame(scene, i), 2 + i % 5));
   const Table steps = tableOf(analysis, "mechanisms");

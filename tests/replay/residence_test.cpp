@@ -36,8 +36,8 @@ TEST(Residence, FindsThePeriodsOfARegularMotion) {
     const bool whole = at(table, "from", r) <= 0.08 && 0.08 < at(table, "to", r);
     stays += at(table, "lower", r);
     cycles += at(table, "cycle", r);
-    if (!halves) EXPECT_EQ(at(table, "lower", r), 0.0);
-    if (!whole) EXPECT_EQ(at(table, "cycle", r), 0.0);
+    EXPECT_TRUE(halves || at(table, "lower", r) == 0.0);
+    EXPECT_TRUE(whole || at(table, "cycle", r) == 0.0);
   }
   EXPECT_EQ(stays,
             10.0 * 9.0 + 10.0 * 10.0);  // that of the start is not whole for the crowd that is low then
