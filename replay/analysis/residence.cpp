@@ -10,14 +10,15 @@ namespace bedmix {
 
 namespace {
 
-/// Classes of lengths grow by this factor.
+/// Classes of lengths grow by this factor; no whole number of intervals is between two.
 const double growth = std::sqrt(2.0);
 
 }  // namespace
 
-Residence::Residence(const AnalysisInput& input) : scene_(input.scene), shortest_(0.5 * input.interval) {
-  const double classes = 2.0 * std::log2(2.0 * static_cast<double>(std::max<std::size_t>(input.frames, 2)));
-  for (Stays& s : stays_) s.byLength.resize(static_cast<std::size_t>(classes) + 1);
+Residence::Residence(const AnalysisInput& input)
+    : scene_(input.scene), shortest_(input.interval / std::sqrt(growth)) {
+  const double classes = 2.0 * std::log2(static_cast<double>(std::max<std::size_t>(input.frames, 2)));
+  for (Stays& s : stays_) s.byLength.resize(static_cast<std::size_t>(classes) + 2);
 }
 
 void Residence::end(Zone zone, const std::optional<double>& since, double now) {
