@@ -30,8 +30,9 @@ std::unique_ptr<Analysis> make(const AnalysisInput& input) {
 
 constexpr std::array kinds{
     AnalysisKind{"temperature",
-                 "granular temperature: a third of the velocities' variance within the sampling cells, with "
-                 "the plane's mean for the direction that is not simulated",
+                 "granular temperature: half the variance of the velocities' vector within the sampling "
+                 "cells, as motion "
+                 "is in a plane",
                  "Gidaspow (1994), Multiphase Flow and Fluidization, ch. 9", nothing,
                  make<GranularTemperature>},
     AnalysisKind{
