@@ -29,12 +29,11 @@ std::unique_ptr<Analysis> make(const AnalysisInput& input) {
 }
 
 constexpr std::array kinds{
-    AnalysisKind{"temperature",
-                 "granular temperature: half the variance of the velocities' vector within the sampling "
-                 "cells, as motion "
-                 "is in a plane",
-                 "Gidaspow (1994), Multiphase Flow and Fluidization, ch. 9", nothing,
-                 make<GranularTemperature>},
+    AnalysisKind{
+        "temperature",
+        "granular temperature: half the variance of the velocities' vector within the sampling cells, "
+        "as motion is in a plane",
+        "Gidaspow (1994), Multiphase Flow and Fluidization, ch. 9", nothing, make<GranularTemperature>},
     AnalysisKind{
         "mechanisms",
         "convective, shear and diffusive parts of the motion and of the displacement over a lag, by a "
