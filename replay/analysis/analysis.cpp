@@ -2,7 +2,10 @@
 #include "replay/analysis/analysis.h"
 
 #include "engine/core/near_miss.h"
+#include "replay/analysis/band.h"
 #include "replay/analysis/granular_temperature.h"
+#include "replay/analysis/indices.h"
+#include "replay/analysis/sampling_size.h"
 
 #include <fmt/format.h>
 
@@ -26,6 +29,13 @@ constexpr std::array kinds{
                  "the plane's mean for the direction that is not simulated",
                  "Gidaspow (1994), Multiphase Flow and Fluidization, ch. 9", nothing,
                  make<GranularTemperature>},
+    AnalysisKind{"indices", "all indices of mixing: assets/docs/indices.md",
+                 "Poux et al. (1991), Powder Technol. 68:213, and each its own", nothing, make<Indices>},
+    AnalysisKind{"band",
+                 "95 % intervals of Lacey's and Ashton's index, by a studentized bootstrap over cells",
+                 "Efron & Tibshirani (1993), An Introduction to the Bootstrap, ch. 12", nothing, make<Band>},
+    AnalysisKind{"sampling", "indices against the size of the sampling cells",
+                 "Danckwerts (1952), Appl. Sci. Res. A 3:279", nothing, make<SamplingSize>},
 };
 
 std::string listOf(std::span<const AnalysisKind> all) {
@@ -55,8 +65,9 @@ Result<std::vector<const AnalysisKind*>> chooseAnalyses(std::string_view names, 
     if (kind == kinds.end()) {
       std::vector<std::string> known{"all"};
       for (const AnalysisKind& k : kinds) known.emplace_back(k.name);
-      problems.push_back({{}, fmt::format("there is no analysis \"{}\"{}; there are{}", name,
-                                          didYouMean(std::string(name), known), listOf(kinds))});
+      problems.push_back({{},
+                          fmt::format("there is no analysis \"{}\"{}; there are{}", name,
+                                      didYouMean(std::string(name), known), listOf(kinds))});
     } else if (const std::string_view lack = kind->lacks(scene); !lack.empty()) {
       problems.push_back({{}, fmt::format("\"{}\" needs {}", name, lack)});
     } else if (std::find(chosen.begin(), chosen.end(), &*kind) == chosen.end()) {
