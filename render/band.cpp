@@ -1,25 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "render/band.h"
 
+#include "engine/core/quantile.h"
+
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 
 namespace bedmix {
-
-namespace {
-
-/// Of sorted values; not a number where there are none.
-double quantile(const std::vector<double>& sorted, double part) {
-  if (sorted.empty()) return std::numeric_limits<double>::quiet_NaN();
-  const double at = part * static_cast<double>(sorted.size() - 1);
-  const auto below = static_cast<std::size_t>(at);
-  const std::size_t above = std::min(below + 1, sorted.size() - 1);
-  return sorted[below] + (at - static_cast<double>(below)) * (sorted[above] - sorted[below]);
-}
-
-}  // namespace
 
 Curve medianAndBand(std::span<const Curve> runs, std::string label) {
   std::vector<double> times;

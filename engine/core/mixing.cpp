@@ -33,46 +33,71 @@ std::vector<Vec2> meanVelocities(const Frame& frame, const SamplingGrid& grid, s
   return mean;
 }
 
-MixingSample mixingSample(const CellCounts& counts, int minParticles, double time, std::size_t particles) {
+double mixtureEntropy(double c) {
+  const auto part = [](double x) { return x > 0.0 ? -x * std::log(x) : 0.0; };
+  return part(c) + part(1.0 - c);
+}
+
+CellStatistics cellStatistics(const CellCounts& counts, int minParticles) {
+  CellStatistics s;
+  const auto forUsed = [&](const auto& use) {
+    for (std::size_t c = 0; c < counts.all.size(); ++c)
+      if (counts.all[c] >= minParticles)
+        use(counts.all[c], static_cast<double>(counts.tracer[c]) / counts.all[c], counts.tracer[c]);
+  };
+  double sum = 0.0;
+  forUsed([&](std::int32_t n, double fraction, std::int32_t tracer) {
+    ++s.cells;
+    s.particles += n;
+    s.tracer += tracer;
+    sum += fraction;
+  });
+  if (s.cells == 0) return s;
+  s.mean = sum / s.cells;
+  s.perCell = static_cast<double>(s.particles) / s.cells;
+  s.segregated = s.mean * (1.0 - s.mean);
+  s.random = s.segregated / s.perCell;
+
+  const double whole = static_cast<double>(s.tracer) / static_cast<double>(s.particles);
+  double squares = 0.0, weighted = 0.0, entropy = 0.0;
+  forUsed([&](std::int32_t n, double fraction, std::int32_t) {
+    squares += (fraction - s.mean) * (fraction - s.mean);
+    weighted += n * (fraction - whole) * (fraction - whole);
+    entropy += n * mixtureEntropy(fraction);
+  });
+  if (s.cells > 1) s.variance = squares / (s.cells - 1);
+  s.weightedVariance = weighted / static_cast<double>(s.particles);
+  s.entropy = entropy / static_cast<double>(s.particles);
+  return s;
+}
+
+std::optional<double> laceyIndex(const CellStatistics& s) {
+  if (!s.defined()) return std::nullopt;
+  return (s.segregated - *s.variance) / (s.segregated - s.random);
+}
+
+std::optional<double> ashtonIndex(const CellStatistics& s) {
+  if (!s.defined() || !(*s.variance > 0.0)) return std::nullopt;
+  return (std::log(s.segregated) - std::log(*s.variance)) / (std::log(s.segregated) - std::log(s.random));
+}
+
+MixingSample mixingSample(const CellStatistics& cells, double time, std::size_t particles) {
   MixingSample sample;
   sample.time = time;
-  std::int64_t counted = 0;
-  double sum = 0.0;
-  for (std::size_t c = 0; c < counts.all.size(); ++c) {
-    if (counts.all[c] < minParticles) continue;
-    ++sample.cells;
-    counted += counts.all[c];
-    sum += static_cast<double>(counts.tracer[c]) / counts.all[c];
-  }
-  if (particles > 0) sample.countedFraction = static_cast<double>(counted) / static_cast<double>(particles);
-  if (sample.cells == 0) return sample;
-
-  const double mean = sum / sample.cells;
-  const double perCell = static_cast<double>(counted) / sample.cells;
-  sample.tracerMean = mean;
-  sample.particlesPerCell = perCell;
-  if (sample.cells < 2) return sample;
-
-  double squares = 0.0;
-  for (std::size_t c = 0; c < counts.all.size(); ++c) {
-    if (counts.all[c] < minParticles) continue;
-    const double deviation = static_cast<double>(counts.tracer[c]) / counts.all[c] - mean;
-    squares += deviation * deviation;
-  }
-  const double variance = squares / (sample.cells - 1);  // S^2, Eq. (13)
-  const double segregated = mean * (1.0 - mean);         // sigma_0^2
-  const double random = segregated / perCell;            // sigma_r^2
-  sample.stddev = std::sqrt(variance);
-  if (!(segregated > random)) return sample;  // one species only, or one particle a cell
-
-  sample.lacey = (segregated - variance) / (segregated - random);
-  if (variance > 0.0)
-    sample.ashton = (std::log(segregated) - std::log(variance)) / (std::log(segregated) - std::log(random));
+  sample.cells = cells.cells;
+  if (particles > 0)
+    sample.countedFraction = static_cast<double>(cells.particles) / static_cast<double>(particles);
+  if (cells.cells == 0) return sample;
+  sample.tracerMean = cells.mean;
+  sample.particlesPerCell = cells.perCell;
+  if (cells.variance) sample.stddev = std::sqrt(*cells.variance);
+  sample.lacey = laceyIndex(cells);
+  sample.ashton = ashtonIndex(cells);
   return sample;
 }
 
 MixingSample mixingSample(const Frame& frame, const SamplingGrid& grid) {
-  return mixingSample(countCells(frame, grid), grid.minParticles, frame.time, frame.size());
+  return mixingSample(cellStatistics(countCells(frame, grid), grid.minParticles), frame.time, frame.size());
 }
 
 }  // namespace bedmix

@@ -2,13 +2,16 @@
 #include "replay/analysis/analysis.h"
 
 #include "engine/core/near_miss.h"
+#include "replay/analysis/band.h"
 #include "replay/analysis/bubbles.h"
 #include "replay/analysis/circulation.h"
 #include "replay/analysis/crossings.h"
 #include "replay/analysis/dispersion.h"
 #include "replay/analysis/granular_temperature.h"
+#include "replay/analysis/indices.h"
 #include "replay/analysis/mechanisms.h"
 #include "replay/analysis/residence.h"
+#include "replay/analysis/sampling_size.h"
 #include "replay/analysis/spectrum.h"
 
 #include <fmt/format.h>
@@ -60,6 +63,13 @@ constexpr std::array kinds{
         make<Bubbles>},
     AnalysisKind{"spectrum", "power spectral density of pressure drop and bed height",
                  "Welch (1967), IEEE Trans. Audio Electroacoust. 15:70", nothing, make<Spectrum>},
+    AnalysisKind{"indices", "all indices of mixing: assets/docs/indices.md",
+                 "Poux et al. (1991), Powder Technol. 68:213, and each its own", nothing, make<Indices>},
+    AnalysisKind{"band",
+                 "95 % intervals of Lacey's and Ashton's index, by a studentized bootstrap over cells",
+                 "Efron & Tibshirani (1993), An Introduction to the Bootstrap, ch. 12", nothing, make<Band>},
+    AnalysisKind{"sampling", "indices against the size of the sampling cells",
+                 "Danckwerts (1952), Appl. Sci. Res. A 3:279", nothing, make<SamplingSize>},
 };
 
 std::string listOf(std::span<const AnalysisKind> all) {
