@@ -78,4 +78,9 @@ fs::path runFolderOf(const fs::path& run) {
   return run.has_parent_path() ? run.parent_path() : fs::path(".");
 }
 
+fs::path foreignFolderOf(const fs::path& file) {
+  const fs::path whole = file.has_filename() ? file : file.parent_path();
+  return whole.string() + "-replay";
+}
+
 }  // namespace bedmix
