@@ -115,10 +115,11 @@ Result<ForeignFrames> ForeignFrames::make(std::unique_ptr<ForeignSource> source,
   Result<ForeignFrame> first = source->frame(0);
   if (!first) return std::move(first.problems);
   sortRows(*first);
+  std::optional<std::string> bad = badId(first->id);
+  if (bad) return fileTrouble(file, fmt::format("frame 0: {}", *bad));
   Result<ForeignScene> scene = foreignScene(*source, *first, *times, file, options);
   if (!scene) return std::move(scene.problems);
-  std::optional<std::string> bad = badId(first->id);
-  const Frame frame = bad ? Frame{} : inPlane(*first, *scene, bad);
+  const Frame frame = inPlane(*first, *scene, bad);
   if (bad) return fileTrouble(file, fmt::format("frame 0: {}", *bad));
   Result<ForeignTracer> tracer =
       ForeignTracer::of(frame, first->species, scene->scene, options.tracerSpecies);

@@ -116,6 +116,7 @@ Result<ForeignScene> foreignScene(ForeignSource& source, const ForeignFrame& fir
   scene.bed.top = BedTop::open;
   scene.particles.diameter = *diameter;
   scene.particles.count = static_cast<std::int64_t>(first.position.size());
+  if (!first.id.empty()) scene.particles.count = std::max(scene.particles.count, first.id.back() + 1);
   scene.accuracy.reset();
   scene.gas.reset();
   if (scene.floor.shape == FloorShape::stair) scene.floor.shape = FloorShape::straight;  // of the gas's cells

@@ -29,13 +29,14 @@ struct ForeignScene {
   Vec2 corner;  // m: the bed's lower left one, in the plane, in the file's coordinates
 };
 
-/// Makes the scene of a file at these times, whose first frame this is. It is the one of the options without
-/// its gas, or a plain one; in either count, times and friction (there where particles rotate) are the
-/// file's. Size and corner of the bed are the options'; else the size is the scene's of the options, else
-/// both are those of the file's box if nine of ten particles lie in it, else of all places that particles
-/// ever have, and a radius around: then, and only then, all frames are read. The particles' density and
-/// contacts of a plain scene mean nothing. Fails where the diameter is not known, and where the scene is none
-/// that the reader of scenes takes.
+/// Makes the scene of a file at these times, whose first frame, in order of id, this is. It is the one of the
+/// options without its gas, or a plain one; in either count, times and friction (there where particles
+/// rotate) are the file's. The count is at least the largest id and one more, as pictures expect. Size and
+/// corner of the bed are the options'; else the size is that of the options' scene, else both are those of
+/// the file's box if nine of ten particles lie in it, else of all places that particles ever have, and a
+/// radius around: then, and only then, all frames are read. The particles' density and contacts of a plain
+/// scene mean nothing. Fails where the diameter is not known, and where the scene is none that the reader of
+/// scenes takes.
 Result<ForeignScene> foreignScene(ForeignSource& source, const ForeignFrame& first,
                                   const std::vector<double>& times, const std::string& file,
                                   const ForeignOptions& options);
