@@ -26,6 +26,10 @@ std::vector<std::string> madeUnique(const std::vector<std::string>& names,
 
 std::string folderName(const fs::path& folder) { return fs::weakly_canonical(folder).filename().string(); }
 
+std::string foreignName(const fs::path& file) {
+  return (file.has_filename() ? file : file.parent_path()).stem().string();
+}
+
 /// What the style needs of the frames up to the one of this index.
 Result<History> historyOf(RecordedFrames& reader, const Style& style, std::size_t index) {
   History history(reader.scene(), style);
@@ -88,7 +92,7 @@ Result<std::vector<RecordedRun>> openRuns(std::span<const std::string> runs,
     if (recording) {
       const bool isForeign = recording->kind != RecordingKind::run;
       const fs::path folder = isForeign ? foreignFolderOf(run) : runFolderOf(run);
-      opened.push_back({isForeign ? fs::path(run).stem().string() : folderName(folder), folder, isForeign,
+      opened.push_back({isForeign ? foreignName(run) : folderName(folder), folder, isForeign,
                         std::move(recording->frames)});
     } else {
       problems.insert(problems.end(), recording.problems.begin(), recording.problems.end());

@@ -79,8 +79,9 @@ fs::path runFolderOf(const fs::path& run) {
 }
 
 fs::path foreignFolderOf(const fs::path& file) {
-  const fs::path whole = file.has_filename() ? file : file.parent_path();
-  return whole.string() + "-replay";
+  std::string name = (file.has_filename() ? file : file.parent_path()).string();
+  for (auto at = name.find('*'); at != std::string::npos; at = name.find('*')) name.replace(at, 1, "all");
+  return name + "-replay";
 }
 
 }  // namespace bedmix

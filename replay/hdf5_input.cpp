@@ -124,6 +124,10 @@ void Hdf5Values::read(hsize_t from, hsize_t count, hid_t type, void* into) const
     start.insert(start.begin(), from);
     counts.insert(counts.begin(), count);
   }
+  if (counts.empty()) {  // one value
+    checkHdf5(H5Dread(dataset_, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, into), "read " + path_);
+    return;
+  }
   const H5 fileSpace(H5Dget_space(dataset_), "read " + path_);
   const H5 rowSpace(H5Screate_simple(static_cast<int>(counts.size()), counts.data(), nullptr),
                     "read " + path_);

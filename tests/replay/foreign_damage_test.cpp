@@ -72,7 +72,7 @@ TEST_F(ForeignDamage, NotWhatItSeems) {
   writeText(folder_ / "slab.h5", "");
   expect("is empty", "slab");
   writeText(folder_ / "slab.h5", "time,lacey\n");
-  expect("is no HDF5 file", "slab");
+  expect("is no recording", "slab");
   std::filesystem::remove(folder_ / "slab.h5");
   expect("does not exist", "slab");
 }

@@ -12,10 +12,10 @@
 
 namespace bedmix::test {
 
-/// Files that foreign_h5md.py writes, for the test to read or to spoil.
+/// Copies of the files that foreign_h5md.py writes, for the test to read or to spoil.
 class ForeignFiles : public testing::Test {
  protected:
-  /// Skips the test where h5py is not there.
+  /// Skips the test where they could not be made.
   void SetUp() override;
 
   std::unique_ptr<RecordedFrames> open(const std::string& name, const ForeignOptions& options = {}) const;

@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: MIT
-"""Writes H5MD files as other programs do, and beside slab.h5 what must be found in it; called by
-foreign_h5md_test.cpp.
+"""Writes H5MD files as other programs do, and beside slab.h5 what must be found in it; called when the tests are
+built.
 
 foreign_h5md.py FOLDER [PARTICLES]
 """
