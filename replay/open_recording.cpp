@@ -5,6 +5,7 @@
 #include "replay/contained_hdf5.h"
 #include "replay/file_trouble.h"
 #include "replay/foreign/h5md_source.h"
+#include "replay/foreign/lammps_dump.h"
 #include "replay/hdf5_input.h"
 #include "replay/trajectory_layout.h"
 #include "replay/trajectory_reader.h"
@@ -107,7 +108,7 @@ Result<Series> seriesOf(const fs::path& path) {
 
 Result<std::unique_ptr<ForeignSource>> sourceOf(const Series& series, const ForeignOptions& options) {
   return series.kind == RecordingKind::h5md ? H5mdSource::open(series.files.front(), options.group)
-                                            : fileTrouble(series.files.front(), "is a LAMMPS dump");
+                                            : openLammpsDump(series.files);
 }
 
 }  // namespace

@@ -8,7 +8,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 namespace bedmix {
 
@@ -31,9 +30,12 @@ Result<PlaneView> viewOf(ForeignSource& source, const ForeignFrame& first, const
 Result<double> diameterOf(const ForeignFrame& first, const std::string& file, const ForeignOptions& options) {
   if (options.diameter) return *options.diameter;
   if (options.scene) return options.scene->particles.diameter;
-  if (!first.radius.empty())
-    return 2.0 * std::accumulate(first.radius.begin(), first.radius.end(), 0.0) /
-           static_cast<double>(first.radius.size());
+  if (!first.radius.empty()) {
+    const double one = first.radius.front();  // from which equal ones differ by nothing
+    double more = 0.0;
+    for (const double radius : first.radius) more += radius - one;
+    return 2.0 * (one + more / static_cast<double>(first.radius.size()));
+  }
   return fileTrouble(file,
                      "does not tell how large its particles are; give --diameter D, in metres, or --scene");
 }

@@ -59,7 +59,7 @@ TEST_F(ForeignH5md, SceneIsThatOfTheFile) {
   EXPECT_EQ(scene.bed.width, 0.1);
   EXPECT_EQ(scene.bed.height, 0.3);
   EXPECT_EQ(scene.bed.thickness, 0.012);
-  EXPECT_DOUBLE_EQ(scene.particles.diameter, 0.0022);
+  EXPECT_NEAR(scene.particles.diameter, 0.0022, 1e-15);
   EXPECT_EQ(scene.particles.count, 2000);
   EXPECT_FALSE(scene.gas);
   EXPECT_FALSE(scene.contacts.friction);
@@ -120,7 +120,7 @@ TEST_F(ForeignH5md, EnumsMatricesSpinAndUnequalTimes) {
   ASSERT_TRUE(recorded);
   EXPECT_EQ(recorded->times(), (std::vector<double>{0.0, 0.1, 0.1 * 4, 0.1 * 9, 0.1 * 16}));
   EXPECT_NEAR(recorded->scene().bed.width, 0.2, 1e-15);
-  EXPECT_DOUBLE_EQ(recorded->scene().particles.diameter, 0.004);
+  EXPECT_EQ(recorded->scene().particles.diameter, 0.004);
   EXPECT_DOUBLE_EQ(recorded->scene().sampling.interval, 0.4);
   EXPECT_TRUE(recorded->scene().contacts.friction);
   const auto frame = recorded->frame(3);
