@@ -25,6 +25,7 @@ constexpr double defaultRate = 50.0;  // pictures a second
 
 struct RenderOptions {
   std::vector<std::string> runs;
+  RecordingOptions recording;
   std::string output;
   std::optional<double> time;  // s
   std::optional<double> fps, speed;
@@ -67,7 +68,7 @@ std::vector<Diagnostic> misplaced(const RenderOptions& options, Output output) {
 
 /// Index of the frame that a run shows at a time, by default its last.
 Result<std::vector<std::size_t>> framesShownAt(const RecordedRun& run, std::optional<double> time) {
-  auto found = framesAt(run.reader.times(), std::array{time.value_or(run.end())});
+  auto found = framesAt(run.reader->times(), std::array{time.value_or(run.end())});
   if (!found)
     for (Diagnostic& d : found.problems) d.at.file = "--time";
   return found;
@@ -77,7 +78,7 @@ ExitCode render(const RenderOptions& options, const Console& console) {
   const auto output = outputOf(options.output);
   if (!output) return console.fail(output.problems);
   if (const auto problems = misplaced(options, *output); !problems.empty()) return console.fail(problems);
-  auto runs = openRuns(options.runs);
+  auto runs = openRuns(options.runs, options.recording);
   if (!runs) return console.fail(runs.problems);
   RenderJob job{*runs, {}, options.output, {}, console};
   for (const RecordedRun& run : *runs) {
@@ -85,7 +86,7 @@ ExitCode render(const RenderOptions& options, const Console& console) {
     if (!paint) return console.fail(paint.problems);
     if (job.selected.empty()) job.paint = *paint;
     auto selected = *output == Output::picture ? framesShownAt(run, options.time)
-                                               : selectFrames(run.reader.times(), options.frames);
+                                               : selectFrames(run.reader->times(), options.frames);
     if (!selected) return console.fail(selected.problems);
     job.selected.push_back(std::move(*selected));
   }
@@ -117,6 +118,7 @@ void addRenderCommand(CLI::App& program, CommandContext context) {
       ->type_name("T");
   addPictureOptions(*command, options->picture);
   addGlOption(*command);
+  addRecordingOptions(*command, options->recording);
   command
       ->add_option("--fps", options->fps,
                    fmt::format("Pictures per second of film, {:g} by default", defaultRate))

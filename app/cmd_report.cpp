@@ -14,11 +14,12 @@ namespace {
 
 struct ReportOptions {
   std::vector<std::string> runs;
+  RecordingOptions recording;
   std::string folder;
 };
 
 ExitCode report(const ReportOptions& options, const Console& console) {
-  auto runs = openRuns(options.runs);
+  auto runs = openRuns(options.runs, options.recording);
   if (!runs) return console.fail(runs.problems);
   const auto folder = makeFolder(options.folder);
   if (!folder) return console.fail(folder.problems);
@@ -41,6 +42,7 @@ void addReportCommand(CLI::App& program, CommandContext context) {
       ->required()
       ->type_name("DIR");
   addGlOption(*command);
+  addRecordingOptions(*command, options->recording);
   command->footer(
       "Examples:\n  bedmix report out/even -o out/even-report\n"
       "  bedmix report out/even out/inclined -o out/both");

@@ -15,6 +15,7 @@ namespace {
 
 struct SheetOptions {
   std::vector<std::string> runs;
+  RecordingOptions recording;
   std::string output;
   std::vector<double> times;  // s
   PictureOptions picture;
@@ -39,7 +40,7 @@ Result<Style> styleFor(const PictureOptions& options, const Scene& scene) {
 ExitCode sheet(const SheetOptions& options, const Console& console) {
   if (!options.output.ends_with(".png"))
     return console.fail("--output", fmt::format("a sheet is a .png picture, not \"{}\"", options.output));
-  auto runs = openRuns(options.runs);
+  auto runs = openRuns(options.runs, options.recording);
   if (!runs) return console.fail(runs.problems);
   const auto style = styleFor(options.picture, runs->front().scene());
   if (!style) return console.fail(style.problems);
@@ -68,6 +69,7 @@ void addSheetCommand(CLI::App& program, CommandContext context) {
       ->allow_extra_args(false);
   addStyleOptions(*command, options->picture);
   addGlOption(*command);
+  addRecordingOptions(*command, options->recording);
   command->footer(
       "Examples:\n  bedmix sheet out/even -o sheet.png --times 0,0.5,1,2,3,4,5,6,7\n"
       "  bedmix sheet out/even out/inclined -o both.png --times 0.2,0.5,1,2,4");

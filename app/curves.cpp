@@ -7,6 +7,7 @@
 #include "engine/core/scene_reader.h"
 #include "render/band.h"
 #include "replay/csv.h"
+#include "replay/trajectory_reader.h"
 
 #include <fmt/core.h>
 

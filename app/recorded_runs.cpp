@@ -3,6 +3,7 @@
 
 #include "app/png_text.h"
 #include "app/run_folder.h"
+#include "replay/open_recording.h"
 
 #include <fmt/core.h>
 
@@ -23,8 +24,14 @@ std::vector<std::string> madeUnique(const std::vector<std::string>& names,
   return unique;
 }
 
+std::string folderName(const fs::path& folder) { return fs::weakly_canonical(folder).filename().string(); }
+
+std::string foreignName(const fs::path& file) {
+  return (file.has_filename() ? file : file.parent_path()).stem().string();
+}
+
 /// What the style needs of the frames up to the one of this index.
-Result<History> historyOf(TrajectoryReader& reader, const Style& style, std::size_t index) {
+Result<History> historyOf(RecordedFrames& reader, const Style& style, std::size_t index) {
   History history(reader.scene(), style);
   std::vector<std::size_t> seen;
   if (hasClasses(style.color)) seen.push_back(0);
@@ -44,18 +51,18 @@ Result<History> historyOf(TrajectoryReader& reader, const Style& style, std::siz
 
 /// The frames at `times` as panels of the run.
 Result<SheetRun> panelsOf(RecordedRun& run, std::span<const double> times, const Style& style) {
-  auto indices = framesAt(run.reader.times(), times);
+  auto indices = framesAt(run.reader->times(), times);
   if (!indices) {
     for (Diagnostic& d : indices.problems) d.at.file = "--times";
     return indices.problems;
   }
   SheetRun panels{&run.scene(), {}, {}, {}};
   for (const std::size_t index : *indices) {
-    auto frame = run.reader.frame(index);
+    auto frame = run.reader->frame(index);
     if (!frame) return frame.problems;
     panels.frames.push_back(*frame);
     if (!hasClasses(style.color) && !style.layers.has(Layer::trails)) continue;
-    auto history = historyOf(run.reader, style, index);
+    auto history = historyOf(*run.reader, style, index);
     if (!history) return history.problems;
     panels.histories.push_back(std::move(*history));
   }
@@ -68,24 +75,37 @@ std::vector<std::string> runNames(std::span<const std::string> runs) {
   std::vector<std::string> names, paths;
   for (const std::string& run : runs) {
     const fs::path folder = runFolderOf(run);
-    names.push_back(fs::weakly_canonical(folder).filename().string());
+    names.push_back(folderName(folder));
     paths.push_back(folder.string());
   }
   return madeUnique(names, paths);
 }
 
-Result<std::vector<RecordedRun>> openRuns(std::span<const std::string> runs) {
+Result<std::vector<RecordedRun>> openRuns(std::span<const std::string> runs,
+                                          const RecordingOptions& options) {
+  const Result<ForeignOptions> foreign = foreignOptions(options);
+  if (!foreign) return foreign.problems;
   std::vector<RecordedRun> opened;
   std::vector<Diagnostic> problems;
-  const std::vector<std::string> names = runNames(runs);
-  for (std::size_t i = 0; i < runs.size(); ++i) {
-    auto reader = TrajectoryReader::open(runs[i]);
-    if (reader)
-      opened.push_back({names[i], runFolderOf(runs[i]), std::move(*reader)});
-    else
-      problems.insert(problems.end(), reader.problems.begin(), reader.problems.end());
+  for (const std::string& run : runs) {
+    auto recording = openRecording(run, *foreign);
+    if (recording) {
+      const bool isForeign = recording->kind != RecordingKind::run;
+      const fs::path folder = isForeign ? foreignFolderOf(run) : runFolderOf(run);
+      opened.push_back({isForeign ? foreignName(run) : folderName(folder), folder, isForeign,
+                        std::move(recording->frames)});
+    } else {
+      problems.insert(problems.end(), recording.problems.begin(), recording.problems.end());
+    }
   }
   if (!problems.empty()) return problems;
+  std::vector<std::string> names, paths;
+  for (std::size_t i = 0; i < opened.size(); ++i) {
+    names.push_back(opened[i].name);
+    paths.push_back(opened[i].isForeign ? runs[i] : opened[i].folder.string());
+  }
+  names = madeUnique(names, paths);
+  for (std::size_t i = 0; i < opened.size(); ++i) opened[i].name = names[i];
   return opened;
 }
 

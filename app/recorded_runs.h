@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "app/recording_options.h"
 #include "render/png.h"
 #include "render/sheet.h"
-#include "replay/trajectory_reader.h"
+#include "replay/recorded_frames.h"
 
 #include <filesystem>
+#include <memory>
 #include <span>
 #include <string>
 #include <vector>
@@ -18,16 +20,20 @@ namespace bedmix {
 std::vector<std::string> runNames(std::span<const std::string> runs);
 
 struct RecordedRun {
-  std::string name;  // of runNames()
-  std::filesystem::path folder;
-  TrajectoryReader reader;
+  std::string name;              // of its folder or, where it is another program's, its file
+  std::filesystem::path folder;  // of its series; of another program's FILE: FILE-replay
+  bool isForeign;                // another program's
+  std::unique_ptr<RecordedFrames> reader;
 
-  const Scene& scene() const { return reader.scene(); }
-  double end() const { return reader.times().back(); }  // s
+  const Scene& scene() const { return reader->scene(); }
+  double end() const { return reader->times().back(); }  // s
+  /// Where `bedmix replay` puts what it derives, unless it is told.
+  std::filesystem::path replayFolder() const { return isForeign ? folder : folder / "replay"; }
 };
 
-/// Opens runs, each by its folder or trajectory. Fails with what is wrong with any of them.
-Result<std::vector<RecordedRun>> openRuns(std::span<const std::string> runs);
+/// Opens runs, each by its folder or trajectory, and files of other programs, which the options are for.
+/// Fails with what is wrong with any of them.
+Result<std::vector<RecordedRun>> openRuns(std::span<const std::string> runs, const RecordingOptions& options);
 
 /// What tells runs apart in a figure or table: the titles of their scenes, with the run's name where two have
 /// the same.

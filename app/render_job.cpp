@@ -28,9 +28,9 @@ class Frames {
       : run_(run), selected_(selected), index_(fromTheStart ? 0 : selected.front()), all_(fromTheStart) {}
 
   bool atEnd() const { return next_ == selected_.size(); }
-  double time() const { return run_.reader.times()[index_]; }
+  double time() const { return run_.reader->times()[index_]; }
   bool isSelected() const { return index_ == selected_[next_]; }
-  Result<FramePtr> read() { return run_.reader.frame(index_); }
+  Result<FramePtr> read() { return run_.reader->frame(index_); }
   void advance() {
     if (isSelected()) ++next_;
     if (!atEnd()) index_ = all_ ? index_ + 1 : selected_[next_];
@@ -85,10 +85,10 @@ double filmRate(const RenderJob& job, double fps) {
 }  // namespace
 
 ExitCode renderFilm(const RenderJob& job, double fps, double speed) {
-  FilmOptions film{job.paint, filmRate(job, fps), speed, job.runs[0].reader.times()[job.selected[0].front()],
+  FilmOptions film{job.paint, filmRate(job, fps), speed, job.runs[0].reader->times()[job.selected[0].front()],
                    0.0};
   for (std::size_t i = 0; i < job.runs.size(); ++i)
-    film.to = std::max(film.to, job.runs[i].reader.times()[job.selected[i].back()]);
+    film.to = std::max(film.to, job.runs[i].reader->times()[job.selected[i].back()]);
   auto sink = FilmSink::create(job.beds(), job.output, film);
   if (!sink) return job.console.fail(sink.problems);
   PictureProgress progress(job.console, picturesOf(film));

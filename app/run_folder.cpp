@@ -78,4 +78,10 @@ fs::path runFolderOf(const fs::path& run) {
   return run.has_parent_path() ? run.parent_path() : fs::path(".");
 }
 
+fs::path foreignFolderOf(const fs::path& file) {
+  std::string name = (file.has_filename() ? file : file.parent_path()).string();
+  for (auto at = name.find('*'); at != std::string::npos; at = name.find('*')) name.replace(at, 1, "all");
+  return name + "-replay";
+}
+
 }  // namespace bedmix

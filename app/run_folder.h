@@ -39,4 +39,8 @@ Result<RunFolder> makeReplayFolder(const std::filesystem::path& path);
 /// The folder a run is in, given that folder or its trajectory.
 std::filesystem::path runFolderOf(const std::filesystem::path& run);
 
+/// The folder that what is derived from another program's file goes to: FILE-replay, beside it; "all"
+/// stands for a * in the name of several.
+std::filesystem::path foreignFolderOf(const std::filesystem::path& file);
+
 }  // namespace bedmix

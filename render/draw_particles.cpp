@@ -73,8 +73,10 @@ void drawParticles(DrawList& list, const BedView& view, const History& history) 
     case ParticleColor::height:
     case ParticleColor::strips: {
       const auto classes = static_cast<std::size_t>(view.style.classes);
-      const std::span<const std::uint16_t> of = history.startClass();
-      return addDiscs(list, view, [&](std::size_t i) { return classColor(view.palette, of[i], classes); });
+      return addDiscs(list, view, [&](std::size_t i) {
+        const std::optional<std::uint16_t> of = history.startClass(frame.id[i]);
+        return of ? classColor(view.palette, *of, classes) : lateColor;
+      });
     }
   }
 }

@@ -41,6 +41,7 @@ void History::observe(const Frame& frame) {
     const auto classes = static_cast<std::size_t>(style_.classes);
     startClass_ = style_.color == ParticleColor::height ? byHeight(frame.position, classes)
                                                         : byStrip(frame.position, classes, width_);
+    startId_ = frame.id;
   }
   // The newest point gives way to the next unless it is this much later than the one before it.
   const double spacing = style_.trailTime / static_cast<double>(mostPoints - 2);
@@ -57,6 +58,15 @@ void History::observe(const Frame& frame) {
         std::find_if(trail.begin(), trail.end(), [&](const Point& point) { return point.time >= oldest; });
     trail.erase(trail.begin(), kept);
   }
+}
+
+std::optional<std::uint16_t> History::startClass(std::int32_t id) const {
+  // Most often no particle has left, and ids count up by one.
+  const auto guess = startId_.empty() ? 0 : static_cast<std::size_t>(std::int64_t{id} - startId_.front());
+  if (guess < startId_.size() && startId_[guess] == id) return startClass_[guess];
+  const auto found = std::lower_bound(startId_.begin(), startId_.end(), id);
+  if (found == startId_.end() || *found != id) return std::nullopt;
+  return startClass_[static_cast<std::size_t>(found - startId_.begin())];
 }
 
 }  // namespace bedmix

@@ -6,6 +6,7 @@
 #include "render/style.h"
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -27,9 +28,9 @@ class History {
   /// what was seen from its time on.
   void observe(const Frame& frame);
 
-  /// Class of each particle by its place in the first frame, from 0: the lowest or leftmost. Empty where the
-  /// style has no classes.
-  std::span<const std::uint16_t> startClass() const { return startClass_; }
+  /// Class of a particle by its place in the first frame, from 0: the lowest or leftmost. None where it was
+  /// not there or the style has no classes.
+  std::optional<std::uint16_t> startClass(std::int32_t id) const;
   /// Places of the style's n-th particle, oldest first, not longer ago than its trail lasts; at most
   /// `mostPoints`, about evenly in time, and the newest one.
   std::span<const Point> trail(std::size_t n) const { return trails_[n]; }
@@ -39,7 +40,8 @@ class History {
 
  private:
   Style style_{Layers{}};
-  double width_ = 0.0;  // m, of the bed
+  double width_ = 0.0;                 // m, of the bed
+  std::vector<std::int32_t> startId_;  // in order
   std::vector<std::uint16_t> startClass_;
   std::vector<std::vector<Point>> trails_;
 };

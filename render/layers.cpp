@@ -6,7 +6,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <string>
 
 namespace bedmix {
@@ -49,10 +48,6 @@ std::vector<Diagnostic> missingFor(const Scene& scene, const Frame& frame, const
   if (style.layers.has(Layer::particles) && style.color == ParticleColor::spin &&
       frame.angularVelocity.size() != frame.size())
     lacks("the colour 'spin' needs angular velocities, but there are none in the frame");
-  if (style.layers.has(Layer::trails))
-    for (const std::int64_t id : style.trails)
-      if (!std::binary_search(frame.id.begin(), frame.id.end(), id))
-        lacks(fmt::format("the layer 'trails' follows particle {}, but there is none in the frame", id));
   return problems;
 }
 

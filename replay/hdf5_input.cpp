@@ -4,6 +4,7 @@
 #include "replay/hdf5_layout.h"
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 #include <numeric>
 
@@ -42,7 +43,7 @@ constexpr std::size_t mostIntegers = 16;  // of an attribute
 
 bool isNumber(hid_t type) {
   const H5T_class_t kind = H5Tget_class(type);
-  return kind == H5T_FLOAT || kind == H5T_INTEGER;
+  return kind == H5T_FLOAT || kind == H5T_INTEGER || kind == H5T_ENUM;
 }
 
 /// Bytes that a dataset has in the file: no more than that holds, whatever it says.
@@ -52,10 +53,49 @@ hsize_t storedBytes(hid_t file, hid_t dataset) {
   return std::min(H5Dget_storage_size(dataset), fileSize);
 }
 
+/// Bytes that those in the file can stand for. Of one, deflate makes at most 1032 (https://zlib.net).
+hsize_t explainedBytes(hid_t file, hid_t dataset, const std::string& path) {
+  const H5 creation(H5Dget_create_plist(dataset), "read the layout of " + path);
+  const bool isPacked = H5Pget_layout(creation) == H5D_CHUNKED && H5Pget_nfilters(creation) > 0;
+  return storedBytes(file, dataset) * (isPacked ? 1032 : 1);
+}
+
+/// Opens a dataset whose chunks hold parts of many rows each, as h5py's do, again with room for all the
+/// chunks of a row: else each of them would be unpacked anew for each row.
+H5 keepingChunks(hid_t file, H5 dataset, const std::string& path) {
+  constexpr double usual = 1 << 20, atLeast = 32 << 20;  // bytes
+  const H5 creation(H5Dget_create_plist(dataset), "read the layout of " + path);
+  if (H5Pget_layout(creation) != H5D_CHUNKED) return dataset;
+  const std::vector<hsize_t> extent = extentOf(dataset, path);
+  std::vector<hsize_t> chunk(extent.size());
+  checkHdf5(H5Pget_chunk(creation, static_cast<int>(chunk.size()), chunk.data()),
+            "read the chunks of " + path);
+  const H5 type(H5Dget_type(dataset), "read the type of " + path);
+  double bytes = static_cast<double>(H5Tget_size(type)), chunks = 1.0;
+  for (std::size_t i = 0; i < chunk.size(); ++i) {
+    bytes *= static_cast<double>(chunk[i]);
+    if (i > 0) chunks *= std::ceil(static_cast<double>(extent[i]) / static_cast<double>(chunk[i]));
+  }
+  if (chunk.empty() || chunk[0] <= 1 || !(bytes * chunks > usual)) return dataset;
+
+  hsize_t fileSize = 0;
+  checkHdf5(H5Fget_filesize(file, &fileSize), "find the size of the file");
+  const double room = std::min(bytes * chunks, atLeast + 0.5 * static_cast<double>(fileSize));
+  const double slots = std::min(10.0 * chunks + 1.0, 1e6);
+  const H5 access(H5Pcreate(H5P_DATASET_ACCESS), "set up " + path);
+  checkHdf5(H5Pset_chunk_cache(access, static_cast<std::size_t>(slots), static_cast<std::size_t>(room), 1.0),
+            "set up " + path);
+  dataset = H5();
+  return {H5Dopen2(file, path.c_str(), access), "find " + path};
+}
+
 }  // namespace
 
 Hdf5Values::Hdf5Values(hid_t file, std::string path, std::vector<hsize_t> row, bool isSeries)
-    : path_(std::move(path)), row_(std::move(row)), isSeries_(isSeries), dataset_(openDataset(file, path_)) {
+    : path_(std::move(path)),
+      row_(std::move(row)),
+      isSeries_(isSeries),
+      dataset_(keepingChunks(file, openDataset(file, path_), path_)) {
   std::vector<hsize_t> extent = extentOf(dataset_, path_);
   std::vector<hsize_t> expected = row_;
   if (isSeries_) {
@@ -69,7 +109,8 @@ Hdf5Values::Hdf5Values(hid_t file, std::string path, std::vector<hsize_t> row, b
   if (!isNumber(type)) throw Hdf5Error(path_ + " does not hold numbers");
   const hsize_t rowBytes = rowSize() * H5Tget_size(type);
   // A kill can leave the extent ahead of the data.
-  if (isSeries_ && rowBytes > 0) rows_ = std::min(rows_, storedBytes(file, dataset_) / rowBytes);
+  if (rowBytes > 0) rows_ = std::min(rows_, explainedBytes(file, dataset_, path_) / rowBytes);
+  if (!isSeries_ && rows_ == 0) throw Hdf5Error(path_ + " is damaged: it has fewer bytes than it says");
   checkLayout(dataset_, rows_ * rowBytes, path_);
 }
 
@@ -82,6 +123,10 @@ void Hdf5Values::read(hsize_t from, hsize_t count, hid_t type, void* into) const
   if (isSeries_) {
     start.insert(start.begin(), from);
     counts.insert(counts.begin(), count);
+  }
+  if (counts.empty()) {  // one value
+    checkHdf5(H5Dread(dataset_, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, into), "read " + path_);
+    return;
   }
   const H5 fileSpace(H5Dget_space(dataset_), "read " + path_);
   const H5 rowSpace(H5Screate_simple(static_cast<int>(counts.size()), counts.data(), nullptr),
@@ -100,6 +145,26 @@ bool Hdf5Input::has(const std::string& path) const {
     if (checkHdf5(H5Lexists(file_, part.c_str(), H5P_DEFAULT), "look for " + part) == 0) return false;
     if (end == std::string::npos) return true;
   }
+}
+
+bool Hdf5Input::isGroup(const std::string& path) const {
+  const H5 object(H5Oopen(file_, path.c_str(), H5P_DEFAULT), "open " + path);
+  return H5Iget_type(object) == H5I_GROUP;
+}
+
+std::vector<std::string> Hdf5Input::namesIn(const std::string& group) const {
+  const H5 opened(H5Gopen2(file_, group.c_str(), H5P_DEFAULT), "open " + group);
+  const auto note = [](hid_t, const char* name, const H5L_info_t*, void* into) -> herr_t {
+    static_cast<std::vector<std::string>*>(into)->emplace_back(name);
+    return 0;
+  };
+  std::vector<std::string> names;
+  checkHdf5(H5Literate(opened, H5_INDEX_NAME, H5_ITER_INC, nullptr, note, &names), "list " + group);
+  return names;
+}
+
+std::vector<hsize_t> Hdf5Input::extent(const std::string& dataset) const {
+  return extentOf(openDataset(file_, dataset), dataset);
 }
 
 std::string Hdf5Input::text(const std::string& path) const {
@@ -149,6 +214,17 @@ std::vector<std::int32_t> Hdf5Input::integers(const std::string& path, const cha
   std::vector<std::int32_t> values(count);
   checkHdf5(H5Aread(at, H5T_NATIVE_INT32, values.data()), what);
   return values;
+}
+
+bool Hdf5Input::readNumber(const std::string& path, const char* attribute, hid_t type, void* into) const {
+  const std::string what = "read " + path + '.' + attribute;
+  if (checkHdf5(H5Aexists_by_name(file_, path.c_str(), attribute, H5P_DEFAULT), what) == 0) return false;
+  const H5 at(H5Aopen_by_name(file_, path.c_str(), attribute, H5P_DEFAULT, H5P_DEFAULT), what);
+  const H5 space(H5Aget_space(at), what), stored(H5Aget_type(at), what);
+  if (!isNumber(stored) || checkHdf5(H5Sget_simple_extent_npoints(space), what) != 1)
+    throw Hdf5Error("cannot " + what + ": it is not one number");
+  checkHdf5(H5Aread(at, type, into), what);
+  return true;
 }
 
 }  // namespace bedmix

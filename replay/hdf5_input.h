@@ -5,6 +5,7 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -14,9 +15,11 @@ namespace bedmix {
 /// where it is a series.
 class Hdf5Values {
  public:
-  /// Fails where there is none, and on other extents or values that are no numbers.
+  /// Fails where there is none, and on other extents, values that are no numbers, or fewer bytes in the file
+  /// than one row can be packed into.
   Hdf5Values(hid_t file, std::string path, std::vector<hsize_t> row, bool isSeries);
 
+  bool isSeries() const { return isSeries_; }
   /// Rows that are there as a whole; 1 where there is no time.
   hsize_t rows() const { return rows_; }
   /// Numbers in a row.
@@ -50,10 +53,21 @@ class Hdf5Input {
   explicit Hdf5Input(const std::filesystem::path& path);
 
   bool has(const std::string& path) const;
+  bool isGroup(const std::string& path) const;
+  /// Names of what is in a group, in their order.
+  std::vector<std::string> namesIn(const std::string& group) const;
+  std::vector<hsize_t> extent(const std::string& dataset) const;
   std::string text(const std::string& path) const;
   /// A list of texts of fixed length.
   std::vector<std::string> texts(const std::string& path) const;
   std::vector<std::int32_t> integers(const std::string& path, const char* attribute) const;
+  /// An attribute that is one number; none where there is no such attribute.
+  template <class T>
+  std::optional<T> number(const std::string& path, const char* attribute) const {
+    T value{};
+    if (!readNumber(path, attribute, h5Type<T>(), &value)) return std::nullopt;
+    return value;
+  }
   Hdf5Values fixed(const std::string& path, std::vector<hsize_t> extent) const {
     return {file_, path, std::move(extent), false};
   }
@@ -62,6 +76,8 @@ class Hdf5Input {
   }
 
  private:
+  bool readNumber(const std::string& path, const char* attribute, hid_t type, void* into) const;
+
   H5 file_;
 };
 

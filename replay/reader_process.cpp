@@ -21,8 +21,7 @@ namespace {
 enum class Wanted : std::size_t { frame, checkpoint };
 struct Request {
   Wanted wanted;
-  std::size_t index;
-  std::size_t half = 0;  // of the memory, where a frame is wanted
+  FrameRequest of;  // `half` only where a frame is wanted
 };
 
 Result<Scene> parse(const SceneText& scene, const std::filesystem::path& file) {
@@ -72,7 +71,7 @@ std::vector<T> take(const float*& at, std::size_t count) {
   return {values, values + count};
 }
 
-Frame makeFrame(const RecordedRun& run, std::size_t index, const float* numbers) {
+Frame makeFrame(const RunPreamble& run, std::size_t index, const float* numbers) {
   const auto& [provenance, events, steps, times, species, id] = run.constants;
   const std::size_t n = species.size();
   Frame frame;
@@ -120,11 +119,11 @@ void serve(Channel& parent, const SharedMemory& memory, const std::filesystem::p
     const auto request = parent.get<Request>();
     allowWorkOn(file);
     if (request.wanted == Wanted::checkpoint) {
-      parent.putAll(trajectory->checkpoint(request.index));
+      parent.putAll(trajectory->checkpoint(request.of.index));
       continue;
     }
     parent.putAll(
-        troubleOf([&] { trajectory->readFrame(request.index, half(memory, request.half, numbers)); }));
+        troubleOf([&] { trajectory->readFrame(request.of.index, half(memory, request.of.half, numbers)); }));
   }
 }
 
@@ -144,7 +143,7 @@ std::optional<Diagnostic> ReaderProcess::trouble() {
   return fileTrouble(file_, std::move(text));
 }
 
-Result<RecordedRun> ReaderProcess::open() {
+Result<RunPreamble> ReaderProcess::open() {
   if (auto problem = trouble()) return *problem;
   SceneText text;
   text.text = child_.channel().getAll<std::string>();
@@ -154,36 +153,20 @@ Result<RecordedRun> ReaderProcess::open() {
   if (auto problem = trouble()) return *problem;
   numbers_ = numbersPerFrame(*scene);
   memory_.open(2 * numbers_ * sizeof(float));
-  return RecordedRun{std::move(*scene), getConstants(child_.channel())};
+  return RunPreamble{std::move(*scene), getConstants(child_.channel())};
 }
 
-void ReaderProcess::ask(Asked frame) {
-  child_.channel().put(Request{Wanted::frame, frame.index, frame.half});
-  ahead_ = frame;
-}
-
-void ReaderProcess::settle() {
-  if (ahead_) trouble();
-  ahead_.reset();
-}
-
-Result<FramePtr> ReaderProcess::frame(const RecordedRun& run, std::size_t index) {
-  if (!ahead_ || ahead_->index != index) {
-    settle();
-    ask({index, 0});
-  }
-  const std::optional<Diagnostic> problem = trouble();
-  const std::size_t here = ahead_->half, next = index + (last_ ? index - *last_ : 1);
-  ahead_.reset();
-  if (next < run.constants.times.size()) ask({next, 1 - here});
-  last_ = index;
-  if (problem) return *problem;
-  return std::make_shared<const Frame>(makeFrame(run, index, half(memory_, here, numbers_)));
+Result<FramePtr> ReaderProcess::frame(const RunPreamble& run, std::size_t index) {
+  Channel& child = child_.channel();
+  const auto ask = [&](FrameRequest frame) { child.put(Request{Wanted::frame, frame}); };
+  ReadAhead::Read read = ahead_.frame(child, index, run.constants.times.size(), ask);
+  if (!read.trouble.empty()) return fileTrouble(file_, std::move(read.trouble));
+  return std::make_shared<const Frame>(makeFrame(run, index, half(memory_, read.half, numbers_)));
 }
 
 std::vector<std::byte> ReaderProcess::checkpoint(std::size_t slot) {
-  settle();
-  child_.channel().put(Request{Wanted::checkpoint, slot});
+  ahead_.settle(child_.channel());
+  child_.channel().put(Request{Wanted::checkpoint, {slot, 0}});
   return child_.channel().getAll<std::vector<std::byte>>();
 }
 

@@ -5,6 +5,7 @@
 #include "engine/core/frame.h"
 #include "engine/core/scene.h"
 #include "replay/child_process.h"
+#include "replay/read_ahead.h"
 #include "replay/shared_memory.h"
 #include "replay/trajectory_input.h"
 
@@ -16,7 +17,7 @@
 namespace bedmix {
 
 /// What a trajectory holds beside its frames and checkpoints.
-struct RecordedRun {
+struct RunPreamble {
   Scene scene;
   RunConstants constants;
 };
@@ -30,28 +31,21 @@ class ReaderProcess {
   explicit ReaderProcess(std::filesystem::path file);
 
   /// To be called once, and first.
-  Result<RecordedRun> open();
-  Result<FramePtr> frame(const RecordedRun& run, std::size_t index);
+  Result<RunPreamble> open();
+  Result<FramePtr> frame(const RunPreamble& run, std::size_t index);
   /// What is there of a checkpoint; empty where that cannot be read.
   std::vector<std::byte> checkpoint(std::size_t slot);
   /// Why it has ended.
   std::string end() { return child_.end(); }
 
  private:
-  /// A frame the child has been asked for, and which half of the memory it goes to.
-  struct Asked {
-    std::size_t index, half;
-  };
   std::optional<Diagnostic> trouble();
-  void ask(Asked frame);
-  void settle();
 
   std::filesystem::path file_;
   SharedMemory memory_;
   ChildProcess child_;
   std::size_t numbers_ = 0;  // of a frame
-  std::optional<Asked> ahead_;
-  std::optional<std::size_t> last_;  // that was handed over
+  ReadAhead ahead_;
 };
 
 }  // namespace bedmix

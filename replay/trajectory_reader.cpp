@@ -17,9 +17,7 @@ namespace bedmix {
 struct TrajectoryReader::State {
   std::filesystem::path path;
   ReaderProcess process;
-  RecordedRun run;
-  std::size_t nextFrame = 0;
-  std::optional<Diagnostic> failure;
+  RunPreamble run;
 
   /// What the process answers. When it has ended, that may be due to what it read ahead: then a new one is
   /// asked. Throws ChannelClosed where that ends too.
@@ -35,7 +33,7 @@ struct TrajectoryReader::State {
 
   void restart() {
     process = ReaderProcess(path);
-    const Result<RecordedRun> again = process.open();
+    const Result<RunPreamble> again = process.open();
     if (!again) throw std::runtime_error(again.problems.front().message);
     if (writeScene(again->scene) != writeScene(run.scene) ||
         again->constants.steps.size() < run.constants.steps.size())
@@ -52,7 +50,7 @@ Result<TrajectoryReader> TrajectoryReader::open(const std::filesystem::path& pat
   try {
     ReaderProcess process(file);
     try {
-      Result<RecordedRun> run = process.open();
+      Result<RunPreamble> run = process.open();
       if (!run) return std::move(run.problems);
       return TrajectoryReader(std::make_unique<State>(file, std::move(process), std::move(*run)));
     } catch (const ChannelClosed&) {
@@ -72,7 +70,6 @@ const Scene& TrajectoryReader::scene() const { return state_->run.scene; }
 const Provenance& TrajectoryReader::provenance() const { return state_->run.constants.provenance; }
 const std::vector<RunEvent>& TrajectoryReader::events() const { return state_->run.constants.events; }
 const std::vector<double>& TrajectoryReader::times() const { return state_->run.constants.times; }
-const std::optional<Diagnostic>& TrajectoryReader::failure() const { return state_->failure; }
 
 Result<FramePtr> TrajectoryReader::frame(std::size_t index) {
   State& s = *state_;
@@ -97,14 +94,6 @@ std::vector<std::vector<std::byte>> TrajectoryReader::checkpoints() {
     }
   }
   return found;
-}
-
-FramePtr TrajectoryReader::next() {
-  if (state_->failure || state_->nextFrame == times().size()) return nullptr;
-  Result<FramePtr> read = frame(state_->nextFrame++);
-  if (read) return *read;
-  state_->failure = read.problems.front();
-  return nullptr;
 }
 
 }  // namespace bedmix

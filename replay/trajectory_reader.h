@@ -1,16 +1,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "engine/core/diagnostic.h"
-#include "engine/core/frame.h"
-#include "engine/core/scene.h"
-#include "replay/provenance.h"
-#include "replay/run_event.h"
+#include "replay/recorded_frames.h"
 
 #include <cstddef>
 #include <filesystem>
 #include <memory>
-#include <optional>
 #include <vector>
 
 namespace bedmix {
@@ -18,7 +13,7 @@ namespace bedmix {
 /// The frames of a trajectory file, the same to the bit as those that were written. Memory does not grow with
 /// the length of the run. HDF5 works in a process of the reader's own, so that damage on which it fails is a
 /// Diagnostic like any other.
-class TrajectoryReader final : public FrameSource {
+class TrajectoryReader final : public RecordedFrames {
  public:
   /// `path` is a trajectory.h5 or the run folder it lies in. Fails on a file that is missing, foreign,
   /// truncated, of another version, inconsistent, or without a frame. A last frame that a killed run left
@@ -28,25 +23,15 @@ class TrajectoryReader final : public FrameSource {
   TrajectoryReader(TrajectoryReader&&) noexcept;
   TrajectoryReader& operator=(TrajectoryReader&&) noexcept;
 
-  /// The scene as it was run, every default resolved.
-  const Scene& scene() const;
-  /// What began to record it; empty where that cannot be read.
-  const Provenance& provenance() const;
-  /// What happened to the run, in the order it did; empty where nothing did or that cannot be read.
-  const std::vector<RunEvent>& events() const;
-  /// Times of the frames, s, strictly increasing. As many as there are frames, at least one.
-  const std::vector<double>& times() const;
-
-  /// Frame `index`, below times().size(). Fails where the file is damaged there or holds what is no number.
-  Result<FramePtr> frame(std::size_t index);
+  const Scene& scene() const override;
+  const Provenance& provenance() const override;
+  const std::vector<RunEvent>& events() const override;
+  const std::vector<double>& times() const override;
+  Result<FramePtr> frame(std::size_t index) override;
 
   /// What is there of checkpoints, whole or not, by the place each stands in; empty where there is none or it
   /// cannot be read.
   std::vector<std::vector<std::byte>> checkpoints();
-
-  /// The frames in order. Null after the last, and where one cannot be read: then failure() says why.
-  FramePtr next() override;
-  const std::optional<Diagnostic>& failure() const;
 
  private:
   struct State;

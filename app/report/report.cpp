@@ -65,7 +65,7 @@ class Report {
     for (std::size_t i = 0; i < runs_.size(); ++i) {
       const std::string which =
           fmt::format("scene {}, seed {}, {:g} to {:g} s", runs_[i].scene().name, runs_[i].scene().seed,
-                      runs_[i].reader.times().front(), runs_[i].end());
+                      runs_[i].reader->times().front(), runs_[i].end());
       page_.paragraph(several() ? fmt::format("{}: {} ({})", runs_[i].name, titles_[i], which)
                                 : fmt::format("Run {}: {}", runs_[i].name, which));
     }
@@ -175,9 +175,9 @@ class Report {
     const fs::path file = folder_ / "film.mp4";
     if (auto done = filmForPage(runs_, file, console_); !done) return done;
     say(file);
-    double from = runs_.front().reader.times().front(), to = runs_.front().end();
+    double from = runs_.front().reader->times().front(), to = runs_.front().end();
     for (const RecordedRun& run : runs_) {
-      from = std::min(from, run.reader.times().front());
+      from = std::min(from, run.reader->times().front());
       to = std::max(to, run.end());
     }
     const std::string caption = fmt::format("{}: {:g} to {:g} s, {:g} simulated seconds a second.",

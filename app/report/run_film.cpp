@@ -33,7 +33,7 @@ struct Shown {
 std::vector<Shown> shownFrames(std::span<RecordedRun> runs, const FilmOptions& options) {
   std::vector<Shown> frames;
   for (std::size_t r = 0; r < runs.size(); ++r) {
-    const std::vector<double>& times = runs[r].reader.times();
+    const std::vector<double>& times = runs[r].reader->times();
     std::vector<double> wanted;
     for (std::int64_t n = 0; n < picturesOf(options); ++n) {
       const double time = options.from + static_cast<double>(n) * options.speed / fps;
@@ -55,12 +55,12 @@ double filmSpeed(double duration) { return duration > 0.0 ? roundDown(duration /
 Result<Done> filmForPage(std::span<RecordedRun> runs, const std::filesystem::path& mp4,
                          const Console& console) {
   FilmOptions options;
-  options.from = runs.front().reader.times().front();
+  options.from = runs.front().reader->times().front();
   options.to = runs.front().end();
   std::vector<PaintedBed> beds;
   std::vector<Scene> scenes;
   for (const RecordedRun& run : runs) {
-    options.from = std::min(options.from, run.reader.times().front());
+    options.from = std::min(options.from, run.reader->times().front());
     options.to = std::max(options.to, run.end());
     beds.push_back({run.scene(), run.name});
     scenes.push_back(run.scene());
@@ -74,7 +74,7 @@ Result<Done> filmForPage(std::span<RecordedRun> runs, const std::filesystem::pat
   if (!film) return film.problems;
   PictureProgress progress(console, picturesOf(options));
   for (const Shown& shown : shownFrames(runs, options)) {
-    const auto frame = runs[shown.run].reader.frame(shown.index);
+    const auto frame = runs[shown.run].reader->frame(shown.index);
     if (!frame) return frame.problems;
     film->accept(shown.run, **frame);
     progress.show(film->pictures());

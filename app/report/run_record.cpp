@@ -27,13 +27,13 @@ Result<std::optional<RunSummary>> summaryOf(const RecordedRun& run) {
 }
 
 Rows provenance(const RecordedRun& run, const std::optional<RunSummary>& summary) {
-  const Provenance& from = run.reader.provenance();
+  const Provenance& from = run.reader->provenance();
   Rows rows{
       {"scene", run.scene().name},
       {"seed", fmt::format("{}", run.scene().seed)},
       {"recorded by", from.version.empty() ? "-" : fmt::format("bedmix {} ({})", from.version, from.commit)},
-      {"frames", fmt::format("{}, from {:g} to {:g} s", run.reader.times().size(), run.reader.times().front(),
-                             run.end())}};
+      {"frames", fmt::format("{}, from {:g} to {:g} s", run.reader->times().size(),
+                             run.reader->times().front(), run.end())}};
   if (!summary) return rows;
   rows.push_back({"ended", fmt::format("{} at {:g} s", summary->endReason, summary->simulatedSeconds)});
   rows.push_back({"steps", fmt::format("{} of particles, {} of gas", summary->steps, summary->gasSteps)});
@@ -69,7 +69,7 @@ Result<Done> addRecord(HtmlPage& page, const RecordedRun& run) {
   if (!summary) return summary.problems;
   page.table({"", ""}, provenance(run, *summary));
   Rows events;
-  for (const RunEvent& event : run.reader.events())
+  for (const RunEvent& event : run.reader->events())
     events.push_back({fmt::format("{:g} s", event.time), event.kind, event.detail});
   page.table({"at", "event", ""}, events);
   if (*summary && !(*summary)->stages.empty())

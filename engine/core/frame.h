@@ -20,7 +20,7 @@ struct GasFrame {
 
 /// The bed at one instant, and the only thing the solver, the file, the indices and the pictures exchange.
 /// Here, and nowhere else, double becomes float, so that a recorded frame and a live one are the same to
-/// everything downstream. Rows are in the order of `id` and keep it for a whole run.
+/// everything downstream. Rows are in the order of `id` and, in a run of bedmix, keep it from first to last.
 struct Frame {
   std::int64_t step = 0;
   double time = 0.0;                   // s
@@ -28,8 +28,8 @@ struct Frame {
   std::vector<Vec2f> velocity;         // m/s
   std::vector<float> angularVelocity;  // rad/s, counter-clockwise; empty where the scene has no friction
   std::vector<std::uint8_t> species;   // 1 = tracer (black), 0 = the rest (green)
-  std::vector<std::int32_t> id;
-  GasFrame gas;  // empty where the scene has no gas
+  std::vector<std::int32_t> id;        // other programs' particles enter and leave: follow them by it
+  GasFrame gas;                        // empty where the scene has no gas
 
   std::size_t size() const { return position.size(); }
   bool hasGas() const { return !gas.voidage.empty(); }

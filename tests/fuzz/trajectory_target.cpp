@@ -6,10 +6,10 @@
 #include "tests/fuzz/mutations.h"
 #include "tests/fuzz/small_scene.h"
 #include "tests/fuzz/still_sound.h"
+#include "tests/fuzz/temporary_file.h"
 
 #include <fstream>
 #include <iterator>
-#include <unistd.h>
 
 // Trajectories: opened, all read that is in them, and gone on with.
 
@@ -17,23 +17,6 @@ namespace {
 
 using namespace bedmix;
 using namespace bedmix::fuzz;
-
-/// A file of this process, removed at its end.
-class TemporaryFile {
- public:
-  TemporaryFile()
-      : path_(std::filesystem::temp_directory_path() / ("bedmix-fuzz-" + std::to_string(getpid()) + ".h5")) {}
-  ~TemporaryFile() { std::filesystem::remove(path_); }
-  const std::filesystem::path& path() const { return path_; }
-
- private:
-  std::filesystem::path path_;
-};
-
-const std::filesystem::path& temporaryPath() {
-  static const TemporaryFile file;
-  return file.path();
-}
 
 std::string recordedRun(bool effects) {
   const Scene scene = smallScene(effects);
@@ -79,8 +62,7 @@ void mutate(std::string& input, Rng& rng) { mutateBytes(input, rng); }
 }  // namespace bedmix::fuzz
 
 int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  std::ofstream(temporaryPath(), std::ios::binary)
-      .write(reinterpret_cast<const char*>(data), static_cast<std::streamsize>(size));
+  writeTemporary(data, size);
   auto reader = TrajectoryReader::open(temporaryPath());
   if (!reader) {
     require(!reader.problems.empty() && !reader.problems.front().message.empty(), "a refusal has a reason");

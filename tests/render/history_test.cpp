@@ -49,6 +49,12 @@ TEST(History, GoesBackWithTheFrames) {
   EXPECT_EQ(history.trail(0).back().time, 0.2);
 }
 
+std::vector<std::uint16_t> classesOf(const History& history, const Frame& frame) {
+  std::vector<std::uint16_t> classes;
+  for (const std::int32_t id : frame.id) classes.push_back(history.startClass(id).value());
+  return classes;
+}
+
 TEST(History, ClassesOfHeightHoldAsManyParticlesEach) {
   Style style{Layer::particles};
   style.color = ParticleColor::height;
@@ -57,7 +63,7 @@ TEST(History, ClassesOfHeightHoldAsManyParticlesEach) {
   History history(scene, style);
   const Frame frame = test::movingFrame(scene);
   history.observe(frame);
-  const auto classes = history.startClass();
+  const auto classes = classesOf(history, frame);
   ASSERT_EQ(classes.size(), 1000u);
   float highest[3] = {};
   for (std::size_t i = 0; i < 1000; ++i)
@@ -75,17 +81,32 @@ TEST(History, StripsAreEquallyWide) {
   style.color = ParticleColor::strips;
   style.classes = 4;
   History history(test::flatBed(), style);
-  history.observe(test::particlesAt({{0.0f, 0.1f}, {0.0239f, 0.1f}, {0.0241f, 0.1f}},
-                                    {{0.05f, 0.0f}, {0.096f, 0.0f}, {0.097f, 0.0f}}));
-  const auto classes = history.startClass();
-  EXPECT_EQ(std::vector(classes.begin(), classes.end()), (std::vector<std::uint16_t>{0, 0, 1, 2, 3, 3}));
+  const Frame frame = test::particlesAt({{0.0f, 0.1f}, {0.0239f, 0.1f}, {0.0241f, 0.1f}},
+                                        {{0.05f, 0.0f}, {0.096f, 0.0f}, {0.097f, 0.0f}});
+  history.observe(frame);
+  EXPECT_EQ(classesOf(history, frame), (std::vector<std::uint16_t>{0, 0, 1, 2, 3, 3}));
+}
+
+TEST(History, ClassesStayWithTheParticlesWhereOthersLeave) {
+  Style style{Layer::particles};
+  style.color = ParticleColor::strips;
+  style.classes = 4;
+  History history(test::flatBed(), style);
+  Frame frame = test::particlesAt({{0.0f, 0.1f}, {0.03f, 0.1f}}, {{0.05f, 0.0f}, {0.09f, 0.0f}});
+  frame.id = {3, 7, 8, 20};
+  history.observe(frame);
+  frame.id = {7, 9, 20, 21};
+  history.observe(frame);
+  EXPECT_EQ(history.startClass(7), 1);
+  EXPECT_EQ(history.startClass(20), 3);
+  for (const int late : {0, 9, 21}) EXPECT_FALSE(history.startClass(late)) << late;
 }
 
 TEST(History, KeepsNothingForAStyleWithoutNeeds) {
   const Scene scene = test::flatBed();
   History history(scene, defaultLayers);
   history.observe(test::movingFrame(scene));
-  EXPECT_TRUE(history.startClass().empty());
+  EXPECT_FALSE(history.startClass(0));
   EXPECT_EQ(history.trails(), 0u);
 }
 

@@ -33,20 +33,17 @@ TEST(Layers, OfTheGasNeedItInTheFrame) {
   EXPECT_TRUE(missingFor(scene, frame, defaultLayers).empty());
 }
 
-TEST(Layers, OfSpinAndTrailsNeedTheirsInTheFrame) {
+TEST(Layers, OfSpinNeedAngularVelocitiesInTheFrame) {
   Scene scene = test::gaslessBed();
   scene.contacts.friction.emplace();
-  Style style{Layer::particles, Layer::trails};
+  Style style{Layer::particles};
   style.color = ParticleColor::spin;
-  style.trails = {999};
   Frame frame = test::movingFrame(scene);
   EXPECT_TRUE(missingFor(scene, frame, style).empty());
   frame.angularVelocity.clear();
-  frame.id.back() = 1000;
   const std::vector<Diagnostic> missing = missingFor(scene, frame, style);
-  ASSERT_EQ(missing.size(), 2u);
+  ASSERT_EQ(missing.size(), 1u);
   EXPECT_NE(missing[0].message.find("needs angular velocities"), std::string::npos);
-  EXPECT_NE(missing[1].message.find("particle 999"), std::string::npos);
 }
 
 /// Lightness L* (CIE 1976) of a colour.
