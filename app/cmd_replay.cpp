@@ -28,6 +28,7 @@ namespace {
 struct ReplayOptions {
   std::vector<std::string> runs;
   std::string folder;
+  RecordingOptions recording;
   ReplaySettings settings;
   const CLI::Option* from = nullptr;  // whether it was given
   bool verify = false;
@@ -72,7 +73,7 @@ std::vector<fs::path> foldersOf(const ReplayOptions& options, std::span<const Re
   std::vector<fs::path> folders;
   for (const RecordedRun& run : runs)
     if (options.folder.empty())
-      folders.push_back(run.folder / "replay");
+      folders.push_back(run.replayFolder());
     else
       folders.push_back(runs.size() == 1 ? fs::path(options.folder) : fs::path(options.folder) / run.name);
   return folders;
@@ -103,10 +104,10 @@ std::vector<Result<Replayed>> replayAll(const ReplayOptions& options, std::span<
 }
 
 ExitCode replay(const ReplayOptions& options, const Console& console) {
-  auto runs = openRuns(options.runs);
+  auto runs = openRuns(options.runs, options.recording);
   if (!runs) return console.fail(runs.problems);
   for (const RecordedRun& run : *runs)
-    for (const RunEvent& event : run.reader.events())
+    for (const RunEvent& event : run.reader->events())
       console.say(fmt::format("{}: at {:g} s: {} {}", run.name, event.time, event.kind, event.detail));
 
   const std::vector<Result<Replayed>> results = replayAll(options, *runs, console);
@@ -185,7 +186,8 @@ void addReplayCommand(CLI::App& program, CommandContext context) {
   CLI::App* command = program.add_subcommand("replay", "Re-derive all indices from recorded runs");
   auto options = std::make_shared<ReplayOptions>();
   ReplaySettings& settings = options->settings;
-  command->add_option("runs", options->runs, "Folders of runs, or their trajectory.h5")
+  command
+      ->add_option("runs", options->runs, "Folders of runs, their trajectory.h5, or files of other programs")
       ->required()
       ->type_name("RUN...");
   command
@@ -208,6 +210,7 @@ void addReplayCommand(CLI::App& program, CommandContext context) {
                    "The tracer is chosen then; at the first frame by default")
       ->type_name("T");
   addFrameSelection(*command, settings.frames);
+  addRecordingOptions(*command, options->recording);
   options->from = command->get_option("--from");
   command
       ->add_option("--analysis", settings.analyses,

@@ -41,14 +41,14 @@ Result<std::optional<Retagging>> retagging(RecordedRun& run, const ReplaySetting
   if (!choice) return choice.problems;
   std::size_t index = 0;
   if (settings.tracerAt) {
-    auto at = framesAt(run.reader.times(), std::array{*settings.tracerAt});
+    auto at = framesAt(run.reader->times(), std::array{*settings.tracerAt});
     if (!at) {
       for (Diagnostic& d : at.problems) d.at.file = "--tracer-at";
       return at.problems;
     }
     index = at->front();
   }
-  const auto frame = run.reader.frame(index);
+  const auto frame = run.reader->frame(index);
   if (!frame) return frame.problems;
   auto tags = choice->tag(**frame, scene);
   if (!tags) return tags.problems;
@@ -76,7 +76,7 @@ Result<Replayed> replayRun(RecordedRun& run, const ReplaySettings& settings,
   if (!scene) return scene.problems;
   const auto tracer = retagging(run, settings, *scene);
   if (!tracer) return tracer.problems;
-  const std::vector<double>& times = run.reader.times();
+  const std::vector<double>& times = run.reader->times();
   const auto selected = selectFrames(times, settings.frames);
   if (!selected) return selected.problems;
 
@@ -94,7 +94,7 @@ Result<Replayed> replayRun(RecordedRun& run, const ReplaySettings& settings,
   if (!series) return series.problems;
 
   for (const std::size_t index : *selected) {
-    auto frame = run.reader.frame(index);
+    auto frame = run.reader->frame(index);
     if (!frame) return frame.problems;
     if (*tracer) *frame = std::make_shared<const Frame>((**tracer).applied(**frame));
     for (const auto& sink : *series) {

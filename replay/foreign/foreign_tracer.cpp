@@ -39,7 +39,7 @@ Result<ForeignTracer> ForeignTracer::of(const Frame& first, std::span<const std:
   if (there.size() > 2)
     return Diagnostic{
         {},
-        fmt::format("has particles of the species {}; say which is the tracer with --tracer species=V",
+        fmt::format("has particles of the species {}; say which is the tracer with --tracer-species V",
                     listOf(there)),
         Trouble::file};
   if (there.size() == 2) {
@@ -68,7 +68,7 @@ std::optional<std::string> ForeignTracer::apply(Frame& frame, std::span<const st
     if (rest_ && species[i] != *rest_ && species[i] != *tracer_)
       return fmt::format(
           "particle {} is of species {}, which the first frame has none of; say which is the tracer "
-          "with --tracer species=V",
+          "with --tracer-species V",
           frame.id[i], species[i]);
     frame.species[i] = species[i] == *tracer_;
   }
