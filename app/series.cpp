@@ -29,4 +29,12 @@ Result<Series> openSeries(const RunFolder& folder, const Scene& scene) {
   return series;
 }
 
+std::vector<std::string> seriesNames(const Scene& scene) {
+  const RunFolder files;
+  std::vector<std::string> names{files.mixing().stem()};
+  if (scene.flux) names.push_back(files.flux().stem());
+  if (scene.gas) names.push_back(files.pressure().stem());
+  return names;
+}
+
 }  // namespace bedmix

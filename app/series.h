@@ -6,6 +6,7 @@
 #include "replay/file_sink.h"
 
 #include <memory>
+#include <string>
 #include <vector>
 
 namespace bedmix {
@@ -15,5 +16,7 @@ using Series = std::vector<std::unique_ptr<FileSink>>;
 /// Makes the series the scene calls for in the folder: mixing.csv, with a flux window flux.csv, with gas
 /// pressure.csv.
 Result<Series> openSeries(const RunFolder& folder, const Scene& scene);
+/// Their names, without ".csv".
+std::vector<std::string> seriesNames(const Scene& scene);
 
 }  // namespace bedmix

@@ -27,7 +27,9 @@ struct Table {
   const Column* find(std::string_view name) const;
   /// Adds a row, of as many values as there are columns.
   void append(std::span<const std::optional<double>> row);
-  void append(std::initializer_list<std::optional<double>> row) { append(std::span(row.begin(), row.size())); }
+  void append(std::initializer_list<std::optional<double>> row) {
+    append(std::span(row.begin(), row.size()));
+  }
 };
 
 /// Mean of what is defined in a column; empty where nothing is.

@@ -3,9 +3,16 @@
 
 #include "engine/core/near_miss.h"
 #include "replay/analysis/band.h"
+#include "replay/analysis/bubbles.h"
+#include "replay/analysis/circulation.h"
+#include "replay/analysis/crossings.h"
+#include "replay/analysis/dispersion.h"
 #include "replay/analysis/granular_temperature.h"
 #include "replay/analysis/indices.h"
+#include "replay/analysis/mechanisms.h"
+#include "replay/analysis/residence.h"
 #include "replay/analysis/sampling_size.h"
+#include "replay/analysis/spectrum.h"
 
 #include <fmt/format.h>
 
@@ -17,6 +24,7 @@ namespace bedmix {
 namespace {
 
 std::string_view nothing(const Scene&) { return ""; }
+std::string_view gas(const Scene& scene) { return scene.gas ? "" : "gas"; }
 
 template <class A>
 std::unique_ptr<Analysis> make(const AnalysisInput& input) {
@@ -24,11 +32,37 @@ std::unique_ptr<Analysis> make(const AnalysisInput& input) {
 }
 
 constexpr std::array kinds{
-    AnalysisKind{"temperature",
-                 "granular temperature: a third of the velocities' variance within the sampling cells, with "
-                 "the plane's mean for the direction that is not simulated",
-                 "Gidaspow (1994), Multiphase Flow and Fluidization, ch. 9", nothing,
-                 make<GranularTemperature>},
+    AnalysisKind{
+        "temperature",
+        "granular temperature: half the variance of the velocities' vector within the sampling cells, "
+        "as motion is in a plane",
+        "Gidaspow (1994), Multiphase Flow and Fluidization, ch. 9", nothing, make<GranularTemperature>},
+    AnalysisKind{
+        "mechanisms",
+        "convective, shear and diffusive parts of the motion and of the displacement over a lag, by a "
+        "linear fit in each sampling cell",
+        "the three of Lacey (1954), J. Appl. Chem. 4:257", nothing, make<Mechanisms>},
+    AnalysisKind{"dispersion",
+                 "mean-square displacement over the lag and half its slope, the dispersion coefficients",
+                 "Mostoufi & Chaouki (2001), Powder Technol. 114:23", nothing, make<Dispersion>},
+    AnalysisKind{"flux", "solids flux, each way by itself, by height and through the upright centre line",
+                 "crossings, counted", nothing, make<Crossings>},
+    AnalysisKind{
+        "circulation",
+        "mean velocity and fraction of the solids in cells of two diameters, how much goes round and "
+        "how long one round takes",
+        "range of the mean flow's stream function", nothing, make<Circulation>},
+    AnalysisKind{"residence",
+                 "times that particles stay in either half and near the distributor, and until they are back",
+                 "cycle times as of Stein et al. (2000), Chem. Eng. Sci. 55:5291", nothing, make<Residence>},
+    AnalysisKind{
+        "bubbles",
+        "connected gas cells with more voidage than pictures.bubble_voidage, followed from frame to "
+        "frame: diameter, rise, frequency, beside correlations",
+        "Darton et al. (1977), Trans. IChemE 55:274; Davidson & Harrison (1963), Fluidised Particles", gas,
+        make<Bubbles>},
+    AnalysisKind{"spectrum", "power spectral density of pressure drop and bed height",
+                 "Welch (1967), IEEE Trans. Audio Electroacoust. 15:70", nothing, make<Spectrum>},
     AnalysisKind{"indices", "all indices of mixing: assets/docs/indices.md",
                  "Poux et al. (1991), Powder Technol. 68:213, and each its own", nothing, make<Indices>},
     AnalysisKind{"band",

@@ -18,13 +18,13 @@ namespace bedmix {
 
 /// What an analysis knows of the frames to come.
 struct AnalysisInput {
-  const Scene& scene;         // outlives the analysis
-  std::size_t frames = 0;     // how many there will be, at least one
-  double interval = 0.0;      // s, between them on average; 0 where there is but one
+  const Scene& scene;      // outlives the analysis
+  std::size_t frames = 0;  // how many there will be, at least one
+  double interval = 0.0;   // s, between them on average; 0 where there is but one
 };
 
 /// A number that an analysis found; empty where it is not defined for the run.
-struct Finding {
+struct FoundNumber {
   std::string name;  // e.g. "dispersion_x"
   std::optional<double> value;
   std::string unit;  // "" where it has none
@@ -42,7 +42,7 @@ class Analysis : public FrameSink {
  public:
   /// To be asked after the last frame.
   virtual std::vector<NamedTable> tables() const = 0;
-  virtual std::vector<Finding> findings() const = 0;
+  virtual std::vector<FoundNumber> findings() const = 0;
 };
 
 /// One selectable analysis: its name, what it derives and by which definition, where that comes from.

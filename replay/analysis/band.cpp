@@ -19,8 +19,8 @@ void Band::accept(const Frame& frame) {
                  band.ashton.low, band.ashton.high});
 }
 
-std::vector<Finding> Band::findings() const {
-  std::vector<Finding> found;
+std::vector<FoundNumber> Band::findings() const {
+  std::vector<FoundNumber> found;
   for (const std::string name : {"lacey", "ashton"}) {
     const auto low = secondHalfMean(*table_.find(name + "_low"));
     const auto high = secondHalfMean(*table_.find(name + "_high"));

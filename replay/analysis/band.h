@@ -16,7 +16,7 @@ class Band final : public Analysis {
   void accept(const Frame& frame) override;
   std::vector<NamedTable> tables() const override { return {{"band", table_}}; }
   /// Mean widths of the intervals over the second half of the frames.
-  std::vector<Finding> findings() const override;
+  std::vector<FoundNumber> findings() const override;
 
  private:
   SamplingGrid grid_;

@@ -37,7 +37,7 @@ void GranularTemperature::accept(const Frame& frame) {
   table_.append({frame.time, t, tx, ty});
 }
 
-std::vector<Finding> GranularTemperature::findings() const {
+std::vector<FoundNumber> GranularTemperature::findings() const {
   return {{"granular_temperature", meanOf(table_.columns[1]), "m2/s2"}};
 }
 

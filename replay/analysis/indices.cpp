@@ -54,8 +54,8 @@ void Indices::accept(const Frame& frame) {
   table_.append(row);
 }
 
-std::vector<Finding> Indices::findings() const {
-  std::vector<Finding> found;
+std::vector<FoundNumber> Indices::findings() const {
+  std::vector<FoundNumber> found;
   for (const MixingIndex& index : mixingIndices())
     found.push_back(
         {fmt::format("{}_second_half", index.name), secondHalfMean(*table_.find(index.name)), ""});

@@ -29,7 +29,7 @@ class Indices final : public Analysis {
 
   void accept(const Frame& frame) override;
   std::vector<NamedTable> tables() const override { return {{"indices", table_}}; }
-  std::vector<Finding> findings() const override;
+  std::vector<FoundNumber> findings() const override;
 
  private:
   SamplingGrid grid_;

@@ -65,7 +65,7 @@ std::vector<NamedTable> SamplingSize::tables() const {
   return {{"sampling", table}};
 }
 
-std::vector<Finding> SamplingSize::findings() const {
+std::vector<FoundNumber> SamplingSize::findings() const {
   const auto spread = [this](std::size_t index) -> std::optional<double> {
     std::optional<double> low, high;
     for (const Series& s : series_) {

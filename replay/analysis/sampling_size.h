@@ -24,7 +24,7 @@ class SamplingSize final : public Analysis {
 
   void accept(const Frame& frame) override;
   std::vector<NamedTable> tables() const override;
-  std::vector<Finding> findings() const override;
+  std::vector<FoundNumber> findings() const override;
 
  private:
   /// Sum of what is defined.

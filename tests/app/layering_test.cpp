@@ -70,7 +70,9 @@ TEST(Layering, LibrariesAreKnownInFewPlaces) {
   const Foreign libraries[]{
       {{"toml++/"}, {"engine/core/scene_reader.cpp", "engine/core/scene_tree."}},
       {{"Eigen/"}, {"engine/gas/"}},
+      {{"unsupported/Eigen/"}, {"replay/analysis/spectrum.cpp"}},
       {{"hdf5"}, {"replay/"}},
+      {{"muParser"}, {"replay/tracer_choice.cpp"}},
       {{"GL/", "EGL/", "imgui", "libav", "libsw", "png.h"}, {"render/"}},
       {{"CLI/"}, {"app/"}},
       {{"nlohmann/"}, {"app/", "replay/summary"}},
@@ -94,6 +96,22 @@ TEST(Layering, TheWallClockIsReadInOnePlace) {
       std::smatch found;
       EXPECT_FALSE(std::regex_search(text, found, forbidden)) << file << ": " << found.str();
     }
+}
+
+/// Two types of one name in the namespace are one type to the linker, which then takes the destructor of either.
+TEST(Layering, TypesOfHeadersHaveNamesOfTheirOwn) {
+  const std::regex type(R"(\n(?:struct|class|enum class) (\w+)[^;{\n]*\{)");
+  std::map<std::string, std::string> fileOf;
+  for (const std::string part : {"engine", "render", "replay", "app"})
+    for (const auto& [file, targets] : includesUnder(part)) {
+      if (!file.ends_with(".h")) continue;
+      const std::string text = readFile(fs::path(BEDMIX_SOURCE_DIR) / file);
+      for (std::sregex_iterator it(text.begin(), text.end(), type), end; it != end; ++it) {
+        const auto [known, isNew] = fileOf.emplace((*it)[1], file);
+        EXPECT_TRUE(isNew) << (*it)[1] << " in " << file << " and " << known->second;
+      }
+    }
+  EXPECT_GT(fileOf.size(), 100u);
 }
 
 TEST(Layering, NothingBelowTheProgramPrintsOrExits) {

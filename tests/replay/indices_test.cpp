@@ -61,7 +61,7 @@ TEST_F(IndexAnalyses, FindingsAreMeansOfTheSecondHalf) {
   const Indices analysis = fed<Indices>(7);
   const Table table = analysis.tables()[0].table;
   const Table::Column& rose = *table.find("rose");
-  for (const Finding& f : analysis.findings()) {
+  for (const FoundNumber& f : analysis.findings()) {
     if (f.name != "rose_second_half") continue;
     EXPECT_NEAR(*f.value, (*rose[3] + *rose[4] + *rose[5] + *rose[6]) / 4, 1e-14);
   }
