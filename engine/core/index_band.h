@@ -25,7 +25,7 @@ inline constexpr int fewestBandCells = 8;
 /// 95 % intervals by a studentized bootstrap over the used cells: the cells are drawn anew with replacement,
 /// and (ln S*^2 - ln S^2)/(standard error of ln S*^2, from the draw's kurtosis) gives the quantiles (Efron &
 /// Tibshirani 1993, An Introduction to the Bootstrap, ch. 12). Percentiles of the index itself hold its
-/// expectation in 86 % of random mixtures of 22 cells, these in 92 to 95 %; assets/docs/indices.md. The same
+/// expectation in 86 % of random mixtures of 22 cells, these in 92 %; assets/docs/indices.md. The same
 /// for the same seed.
 MixingBand mixingBand(const CellCounts& counts, int minParticles, std::uint64_t seed);
 

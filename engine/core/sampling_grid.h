@@ -9,9 +9,9 @@
 
 namespace bedmix {
 
-/// Equal cells over the bed's width and height in which tracer is counted (Tian et al. 2007, Fig. 5);
-/// row-major, bottom row first. A particle on an edge belongs to the cell to its right or above, on the
-/// outermost edges to the last cell; one outside is in no cell.
+/// Equal cells over the bed's width and height in which tracer is counted (Tian et al. 2007, Fig. 5); row-major,
+/// bottom row first. A particle on an edge belongs to the cell to its right or above, on the outermost edges to
+/// the last cell; one outside is in no cell.
 struct SamplingGrid {
   int columns = 4;
   int rows = 15;
@@ -30,32 +30,12 @@ inline int cellOf(float at, double length, int n) {
   return std::min(static_cast<int>(scaled), n - 1);
 }
 
-/// The same for many: a product, and cellOf() where rounding could make the two differ. Both err by less than
-/// 3e-16 of the result, so that away from the edges by 1e-15 n they are in the same cell.
-class CellFinder {
- public:
-  CellFinder(double length, int n) : length_(length), perLength_(n / length), unsure_(1e-15 * n), n_(n) {}
-
-  int operator()(float at) const {
-    const double scaled = static_cast<double>(at) * perLength_;
-    if (!(scaled > unsure_ && scaled < n_ - unsure_)) return cellOf(at, length_, n_);
-    const int cell = static_cast<int>(scaled);
-    const double inside = scaled - cell;
-    return inside > unsure_ && inside < 1.0 - unsure_ ? cell : cellOf(at, length_, n_);
-  }
-
- private:
-  double length_, perLength_, unsure_;
-  int n_;
-};
-
 /// Calls `use(cell, row of the frame)` for each particle in the grid.
 template <class Use>
 void forParticlesInCells(const Frame& frame, const SamplingGrid& grid, const Use& use) {
-  const CellFinder columnOf(grid.width, grid.columns), rowOf(grid.height, grid.rows);
   for (std::size_t i = 0; i < frame.size(); ++i) {
-    const int column = columnOf(frame.position[i].x);
-    const int row = rowOf(frame.position[i].y);
+    const int column = cellOf(frame.position[i].x, grid.width, grid.columns);
+    const int row = cellOf(frame.position[i].y, grid.height, grid.rows);
     if (column >= 0 && row >= 0) use(static_cast<std::size_t>(row) * grid.columns + column, i);
   }
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "engine/core/bed_statistics.h"
-#include "engine/core/mixing.h"
+#include "engine/core/index_band.h"
+#include "engine/core/mixing_indices.h"
+#include "engine/core/neighbour_index.h"
 #include "engine/core/walls.h"
 #include "engine/dem/contact_forces.h"
 #include "engine/dem/particle_solver.h"
@@ -95,16 +97,49 @@ void verletStep(benchmark::State& state, MakeBed make) {
       solver->seconds().integrate / static_cast<double>(state.range(0)), benchmark::Counter::kAvgIterations);
 }
 
-void sampleMixing(benchmark::State& state) {
-  const Particles& bed = bedOf(packedBed, state.range(0));
-  Scene scene = bedScene(state.range(0));
+/// A packed bed as a frame holds it, its left half tagged, and the paper's 60 cells a thousand particles.
+struct SampledBed {
+  explicit SampledBed(std::int64_t particles) {
+    Scene scene = bedScene(particles);
+    for (const Vec2 at : bedOf(packedBed, particles).position) {
+      frame.id.push_back(static_cast<std::int32_t>(frame.id.size()));
+      frame.position.push_back(toFloat(at));
+    }
+    frame.species = tagTracer(scene.tracer.rule, frame.position, scene.bed.width);
+    scene.sampling.columns *= particles / 1000;
+    grid = samplingGrid(scene);
+  }
   Frame frame;
-  for (const Vec2 at : bed.position) frame.position.push_back(toFloat(at));
-  frame.species = tagTracer(scene.tracer.rule, frame.position, scene.bed.width);
-  scene.sampling.columns *= state.range(0) / 1000;
-  const SamplingGrid grid = samplingGrid(scene);
-  for (auto _ : state) benchmark::DoNotOptimize(mixingSample(frame, grid));
+  SamplingGrid grid;
+};
+
+void sampleMixing(benchmark::State& state) {
+  const SampledBed bed(state.range(0));
+  for (auto _ : state) benchmark::DoNotOptimize(mixingSample(bed.frame, bed.grid));
   countParticles(state);
+}
+
+void sampleNeighbours(benchmark::State& state) {
+  const SampledBed bed(state.range(0));
+  for (auto _ : state) benchmark::DoNotOptimize(neighbourIndex(bed.frame));
+  countParticles(state);
+}
+
+void sampleAllIndices(benchmark::State& state) {
+  const SampledBed bed(state.range(0));
+  const StartCorrelation start(bed.frame);
+  for (auto _ : state) {
+    const CellStatistics cells = cellStatistics(countCells(bed.frame, bed.grid), bed.grid.minParticles);
+    for (const MixingIndex& index : mixingIndices())
+      benchmark::DoNotOptimize(index.of({bed.frame, cells, start}));
+  }
+  countParticles(state);
+}
+
+void sampleBand(benchmark::State& state) {
+  const SampledBed bed(state.range(0));
+  const CellCounts counts = countCells(bed.frame, bed.grid);
+  for (auto _ : state) benchmark::DoNotOptimize(mixingBand(counts, bed.grid.minParticles, 1));
 }
 
 void makeFrame(benchmark::State& state) {
@@ -116,7 +151,7 @@ void makeFrame(benchmark::State& state) {
   countParticles(state);
 }
 
-constexpr std::int64_t small = 1000, large = 100000;
+constexpr std::int64_t small = 1000, large = 100000, huge = 1000000;
 
 BENCHMARK_CAPTURE(buildList, packed, packedBed)->RangeMultiplier(10)->Range(small, large);
 BENCHMARK_CAPTURE(buildList, agitated, agitatedBed)->RangeMultiplier(10)->Range(small, large);
@@ -126,7 +161,10 @@ BENCHMARK_CAPTURE(evaluateContacts, packed, packedBed)->RangeMultiplier(10)->Ran
 BENCHMARK_CAPTURE(evaluateContacts, agitated, agitatedBed)->RangeMultiplier(10)->Range(small, large);
 BENCHMARK_CAPTURE(verletStep, packed, packedBed)->RangeMultiplier(10)->Range(small, large);
 BENCHMARK_CAPTURE(verletStep, agitated, agitatedBed)->RangeMultiplier(10)->Range(small, large);
-BENCHMARK(sampleMixing)->Arg(small)->Arg(large);
+BENCHMARK(sampleMixing)->Arg(small)->Arg(large)->Arg(huge);
+BENCHMARK(sampleNeighbours)->Arg(small)->Arg(large)->Arg(huge);
+BENCHMARK(sampleAllIndices)->Arg(small)->Arg(large);
+BENCHMARK(sampleBand)->Arg(small);
 BENCHMARK(makeFrame)->Arg(small)->Arg(large);
 
 }  // namespace

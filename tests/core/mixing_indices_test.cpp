@@ -8,6 +8,8 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <fstream>
+#include <iterator>
 #include <map>
 #include <numeric>
 #include <string>
@@ -288,6 +290,17 @@ TEST(MixingIndices, OneSpeciesOrNothingHasNone) {
   EXPECT_EQ(of.size(), 1u);  // where particles started does not depend on their colour
   EXPECT_NEAR(of.at("principal_component"), 1.0, 1e-12);
   EXPECT_TRUE(valuesOf(Frame{}, Frame{}).empty());
+}
+
+TEST(MixingIndices, AreAllDocumented) {
+  std::ifstream file(BEDMIX_SOURCE_DIR "/assets/docs/indices.md");
+  const std::string text{std::istreambuf_iterator<char>(file), {}};
+  for (const MixingIndex& index : mixingIndices()) {
+    EXPECT_NE(text.find("`" + std::string(index.name) + "`"), std::string::npos) << index.name;
+    if (index.needs == "cells") {
+      EXPECT_NE(text.find(index.formula), std::string::npos) << index.formula;
+    }
+  }
 }
 
 }  // namespace

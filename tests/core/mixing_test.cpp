@@ -206,31 +206,5 @@ TEST(Mixing, EdgesBelongToOneCell) {
   EXPECT_EQ(countCells(frame, grid).tracer, (std::vector<std::int32_t>{1, 2, 2, 4}));
 }
 
-TEST(Mixing, CellsFoundFastAreThoseOfTheDivision) {
-  const auto divided = [](float at, double length, int n) {
-    const double scaled = static_cast<double>(at) / length * n;
-    if (!(scaled >= 0.0 && scaled <= n)) return -1;
-    return std::min(static_cast<int>(scaled), n - 1);
-  };
-  Rng rng(6);
-  for (const int n : {1, 2, 3, 4, 7, 15, 60, 997, 100000, 2000000000}) {
-    for (const double length : {0.096, 0.42, 1.0, 3.0, 1.0 / 3, 1e-30, 1e30, 0.1 + 1e-9}) {
-      const CellFinder find(length, n);
-      int wrong = 0;
-      const auto check = [&](float at) { wrong += find(at) != divided(at, length, n); };
-      for (int i = 0; i < 2000; ++i) check(static_cast<float>(rng.uniform(-0.1, 1.1) * length));
-      for (int i = 0; i < 500; ++i) {  // at edges and as near to them as floats come
-        const int edge = static_cast<int>(rng.next() % (static_cast<std::uint64_t>(n) + 1));
-        const auto at = static_cast<float>(edge * (length / n));
-        check(at);
-        check(std::nextafter(at, -1e38f));
-        check(std::nextafter(at, 1e38f));
-      }
-      for (float at : {0.0f, -0.0f, 1e-45f, -1e-45f, 3e38f, -3e38f, INFINITY, -INFINITY, NAN}) check(at);
-      EXPECT_EQ(wrong, 0) << length << " m in " << n;
-    }
-  }
-}
-
 }  // namespace
 }  // namespace bedmix
