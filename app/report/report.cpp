@@ -203,7 +203,10 @@ class Report {
       for (const CheckRow& row : effectRows(run.scene()))
         effects.push_back({row.name, std::get<std::string>(row.value), row.note});
       page_.table({"effect", "", ""}, effects);
-      page_.paragraph("Every setting, as it was run:");
+      page_.paragraph(run.isForeign
+                          ? "Every setting that was made of the file, or given for it; its density and "
+                            "contacts mean nothing:"
+                          : "Every setting, as it was run:");
       page_.verbatim(writeScene(run.scene()));
     }
     return Done{};
