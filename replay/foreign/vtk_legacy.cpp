@@ -44,8 +44,8 @@ class LegacyReader {
                part == "CELLS") {
       offsets_ = length();
       indices_ = length();
-      words_.endLine();
-      if (!words_.rest().starts_with("OFFSETS")) numbers(indices_, 1, "int");
+      // Since version 5.1 two parts follow that are lists by themselves.
+      if (words_.rest().substr(0, 10).find("OFFSETS") == std::string_view::npos) numbers(indices_, 1, "int");
     } else if (part == "OFFSETS") {
       numbers(offsets_, 1);
     } else if (part == "CONNECTIVITY") {
