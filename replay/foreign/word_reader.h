@@ -37,6 +37,18 @@ class WordReader {
     if (now_ != end_) newLine();
   }
 
+  /// Passes the rest of this line, whatever it is.
+  void skipLine() {
+    while (now_ != end_ && *now_ != '\n') ++now_;
+    if (now_ != end_) newLine();
+  }
+  /// The next bytes, of which there must be as many.
+  std::string_view takeBytes(std::size_t count) {
+    const std::string_view bytes = rest().substr(0, count);
+    now_ += count;
+    return bytes;
+  }
+
   /// The word that was found.
   std::string_view word() {
     const char* start = now_;

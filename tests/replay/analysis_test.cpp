@@ -33,7 +33,7 @@ TEST(Analyses, WriteTablesAndFindingsOfDifferentNames) {
     const auto analysis = kind.make({scene, 1, 0.0});
     for (const NamedTable& made : analysis->tables())
       EXPECT_TRUE(names.insert(made.name).second) << made.name;
-    for (const Finding& f : analysis->findings())
+    for (const FoundNumber& f : analysis->findings())
       EXPECT_TRUE(names.insert("finding " + f.name).second) << f.name;
   }
 }
@@ -47,7 +47,7 @@ void expectSound(const Analysis& analysis, std::string_view name) {
       for (const auto& value : column) EXPECT_TRUE(!value || std::isfinite(*value)) << made.name;
     }
   }
-  for (const Finding& f : analysis.findings())
+  for (const FoundNumber& f : analysis.findings())
     EXPECT_TRUE(!f.value || std::isfinite(*f.value)) << name << ": " << f.name;
 }
 
