@@ -65,31 +65,32 @@ RunConstants getConstants(Channel& from) {
 
 /// Copies `count` values from where `at` points and moves it on.
 template <class T>
-std::vector<T> take(const float*& at, std::size_t count) {
+void take(const float*& at, std::size_t count, std::vector<T>& into) {
   const auto* const values = reinterpret_cast<const T*>(at);
   at = reinterpret_cast<const float*>(values + count);
-  return {values, values + count};
+  into.assign(values, values + count);
 }
 
-Frame makeFrame(const RunPreamble& run, std::size_t index, const float* numbers) {
+/// Makes of a frame of the pool, which is new or was another one of the run, the one of that index.
+void fill(Frame& frame, const RunPreamble& run, std::size_t index, const float* numbers) {
   const auto& [provenance, events, steps, times, species, id] = run.constants;
   const std::size_t n = species.size();
-  Frame frame;
   frame.step = steps[index];
   frame.time = times[index];
-  frame.species = species;
-  frame.id = id;
-  frame.position = take<Vec2f>(numbers, n);
-  frame.velocity = take<Vec2f>(numbers, n);
-  if (run.scene.contacts.friction) frame.angularVelocity = take<float>(numbers, n);
+  if (frame.id.size() != n) {
+    frame.species = species;
+    frame.id = id;
+  }
+  take(numbers, n, frame.position);
+  take(numbers, n, frame.velocity);
+  if (run.scene.contacts.friction) take(numbers, n, frame.angularVelocity);
   if (run.scene.gas) {
     const GasGrid grid = makeGasGrid(run.scene);
     const auto cells = static_cast<std::size_t>(grid.rows) * static_cast<std::size_t>(grid.columns);
-    frame.gas.voidage = take<float>(numbers, cells);
-    frame.gas.pressure = take<float>(numbers, cells);
-    frame.gas.velocity = take<Vec2f>(numbers, cells);
+    take(numbers, cells, frame.gas.voidage);
+    take(numbers, cells, frame.gas.pressure);
+    take(numbers, cells, frame.gas.velocity);
   }
-  return frame;
 }
 
 float* half(const SharedMemory& memory, std::size_t which, std::size_t numbers) {
@@ -161,7 +162,9 @@ Result<FramePtr> ReaderProcess::frame(const RunPreamble& run, std::size_t index)
   const auto ask = [&](FrameRequest frame) { child.put(Request{Wanted::frame, frame}); };
   ReadAhead::Read read = ahead_.frame(child, index, run.constants.times.size(), ask);
   if (!read.trouble.empty()) return fileTrouble(file_, std::move(read.trouble));
-  return std::make_shared<const Frame>(makeFrame(run, index, half(memory_, read.half, numbers_)));
+  const std::shared_ptr<Frame> frame = pool_.take();
+  fill(*frame, run, index, half(memory_, read.half, numbers_));
+  return FramePtr(frame);
 }
 
 std::vector<std::byte> ReaderProcess::checkpoint(std::size_t slot) {

@@ -5,6 +5,7 @@
 #include "engine/core/frame.h"
 #include "engine/core/scene.h"
 #include "replay/child_process.h"
+#include "replay/frame_pool.h"
 #include "replay/read_ahead.h"
 #include "replay/shared_memory.h"
 #include "replay/trajectory_input.h"
@@ -46,6 +47,7 @@ class ReaderProcess {
   ChildProcess child_;
   std::size_t numbers_ = 0;  // of a frame
   ReadAhead ahead_;
+  FramePool pool_;
 };
 
 }  // namespace bedmix
