@@ -6,6 +6,7 @@
 #include "engine/core/scene_keys.h"
 #include "engine/core/scene_reader.h"
 #include "render/sheet.h"
+#include "replay/analysis/line_flux.h"
 #include "replay/tracer_choice.h"
 
 #include <fmt/format.h>
@@ -58,6 +59,11 @@ Result<std::optional<Retagging>> retagging(RecordedRun& run, const ReplaySetting
 Result<std::vector<std::unique_ptr<Analysis>>> makeAnalyses(const ReplaySettings& settings,
                                                             const AnalysisInput& input) {
   std::vector<std::unique_ptr<Analysis>> analyses;
+  for (const std::vector<double>& ends : settings.lines) {
+    const FluxLine line{{ends[0], ends[1]}, {ends[2], ends[3]}};
+    if (line.from == line.to) return Diagnostic{{"--line"}, "its ends are the same; give X0,Y0,X1,Y1"};
+    analyses.push_back(std::make_unique<LineFlux>(input, line, fmt::format("line_{}", analyses.size() + 1)));
+  }
   if (settings.analyses.empty()) return analyses;
   auto kinds = chooseAnalyses(settings.analyses, input.scene);
   if (!kinds) {

@@ -20,7 +20,8 @@ struct ReplaySettings {
   std::string tracer;              // see TracerChoice; as recorded where empty
   std::optional<double> tracerAt;  // s, the frame the tracer is chosen in; the first where there is none
   FrameSelection frames;
-  std::string analyses;  // comma-separated names of analysisKinds(), or "all"
+  std::string analyses;                    // comma-separated names of analysisKinds(), or "all"
+  std::vector<std::vector<double>> lines;  // x and y of both ends, m, to take the flux through
 };
 
 /// What came of one run.
