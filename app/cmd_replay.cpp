@@ -216,6 +216,13 @@ void addReplayCommand(CLI::App& program, CommandContext context) {
       ->add_option("--analysis", settings.analyses,
                    "Derive more, each into a table of its own: all, or some of " + namesOf(analysisKinds()))
       ->type_name("NAMES");
+  command
+      ->add_option("--line", settings.lines,
+                   "Solids flux through the line between two points, m; may be repeated")
+      ->type_name("X0,Y0,X1,Y1")
+      ->delimiter(',')
+      ->type_size(4)
+      ->allow_extra_args(false);
   command->add_flag(
       "--verify", options->verify,
       "Compute the run again instead, from its oldest checkpoint or --from T on, and compare every "
