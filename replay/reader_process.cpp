@@ -41,6 +41,7 @@ void putConstants(Channel& to, const RunConstants& constants) {
     to.putAll(event.kind);
     to.putAll(event.detail);
   }
+  to.put(constants.recorded);
   to.putAll(constants.steps);
   to.putAll(constants.times);
   to.putAll(constants.species);
@@ -57,6 +58,7 @@ RunConstants getConstants(Channel& from) {
     event.kind = from.getAll<std::string>();
     event.detail = from.getAll<std::string>();
   }
+  constants.recorded = from.get<std::size_t>();
   constants.steps = from.getAll<std::vector<std::int64_t>>();
   constants.times = from.getAll<std::vector<double>>();
   constants.species = from.getAll<std::vector<std::uint8_t>>();
@@ -73,13 +75,13 @@ std::vector<T> take(const float*& at, std::size_t count) {
 }
 
 Frame makeFrame(const RecordedRun& run, std::size_t index, const float* numbers) {
-  const auto& [provenance, events, steps, times, species, id] = run.constants;
-  const std::size_t n = species.size();
+  const RunConstants& constants = run.constants;
+  const std::size_t n = constants.species.size();
   Frame frame;
-  frame.step = steps[index];
-  frame.time = times[index];
-  frame.species = species;
-  frame.id = id;
+  frame.step = constants.steps[index];
+  frame.time = constants.times[index];
+  frame.species = constants.species;
+  frame.id = constants.id;
   frame.position = take<Vec2f>(numbers, n);
   frame.velocity = take<Vec2f>(numbers, n);
   if (run.scene.contacts.friction) frame.angularVelocity = take<float>(numbers, n);
@@ -98,11 +100,11 @@ float* half(const SharedMemory& memory, std::size_t which, std::size_t numbers) 
 }
 
 /// All that the child does.
-void serve(Channel& parent, const SharedMemory& memory, const std::filesystem::path& file) {
+void serve(Channel& parent, const SharedMemory& memory, const std::filesystem::path& file, Reading reading) {
   allowWorkOn(file);
   std::optional<Hdf5Input> in;
   SceneText text;
-  std::string trouble = troubleOf([&] { text = readSceneText(in.emplace(file)); });
+  std::string trouble = troubleOf([&] { text = readSceneText(in.emplace(file, reading)); });
   parent.putAll(trouble);
   if (!trouble.empty()) return;
   parent.putAll(text.text);
@@ -133,10 +135,10 @@ std::size_t roomFor(const std::filesystem::path& file) { return 1 + 2 * std::fil
 
 }  // namespace
 
-ReaderProcess::ReaderProcess(std::filesystem::path file)
+ReaderProcess::ReaderProcess(std::filesystem::path file, Reading reading)
     : file_(std::move(file)),
       memory_(roomFor(file_)),
-      child_([this](Channel& parent) { serve(parent, memory_, file_); }) {}
+      child_([this, reading](Channel& parent) { serve(parent, memory_, file_, reading); }) {}
 
 std::optional<Diagnostic> ReaderProcess::trouble() {
   std::string text = child_.channel().getAll<std::string>();

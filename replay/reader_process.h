@@ -27,7 +27,7 @@ struct RecordedRun {
 /// it computes for longer than the size of the file explains.
 class ReaderProcess {
  public:
-  explicit ReaderProcess(std::filesystem::path file);
+  ReaderProcess(std::filesystem::path file, Reading reading);
 
   /// To be called once, and first.
   Result<RecordedRun> open();

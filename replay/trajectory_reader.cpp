@@ -16,6 +16,7 @@ namespace bedmix {
 
 struct TrajectoryReader::State {
   std::filesystem::path path;
+  Reading reading;
   ReaderProcess process;
   RecordedRun run;
   std::size_t nextFrame = 0;
@@ -34,7 +35,7 @@ struct TrajectoryReader::State {
   }
 
   void restart() {
-    process = ReaderProcess(path);
+    process = ReaderProcess(path, reading);
     const Result<RecordedRun> again = process.open();
     if (!again) throw std::runtime_error(again.problems.front().message);
     if (writeScene(again->scene) != writeScene(run.scene) ||
@@ -44,17 +45,25 @@ struct TrajectoryReader::State {
 };
 
 Result<TrajectoryReader> TrajectoryReader::open(const std::filesystem::path& path) {
+  return open(path, Reading::whole);
+}
+
+Result<TrajectoryReader> TrajectoryReader::openRemains(const std::filesystem::path& path) {
+  return open(path, Reading::remains);
+}
+
+Result<TrajectoryReader> TrajectoryReader::open(const std::filesystem::path& path, Reading reading) {
   std::error_code error;
   const bool isFolder = std::filesystem::is_directory(path, error);
   const std::filesystem::path file = isFolder ? path / layout::fileName : path;
   if (!std::filesystem::exists(file, error))
     return fileTrouble(file, "does not exist; name a trajectory.h5 or the folder of a run");
   try {
-    ReaderProcess process(file);
+    ReaderProcess process(file, reading);
     try {
       Result<RecordedRun> run = process.open();
       if (!run) return std::move(run.problems);
-      return TrajectoryReader(std::make_unique<State>(file, std::move(process), std::move(*run)));
+      return TrajectoryReader(std::make_unique<State>(file, reading, std::move(process), std::move(*run)));
     } catch (const ChannelClosed&) {
       return fileTrouble(file, damageShownBy(process.end()));
     }
@@ -72,6 +81,7 @@ const Scene& TrajectoryReader::scene() const { return state_->run.scene; }
 const Provenance& TrajectoryReader::provenance() const { return state_->run.constants.provenance; }
 const std::vector<RunEvent>& TrajectoryReader::events() const { return state_->run.constants.events; }
 const std::vector<double>& TrajectoryReader::times() const { return state_->run.constants.times; }
+std::size_t TrajectoryReader::recorded() const { return state_->run.constants.recorded; }
 const std::optional<Diagnostic>& TrajectoryReader::failure() const { return state_->failure; }
 
 Result<FramePtr> TrajectoryReader::frame(std::size_t index) {

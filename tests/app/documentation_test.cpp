@@ -26,7 +26,7 @@ std::set<std::string> commands(const Outcome& help) {
 
 TEST_F(Documentation, EveryCommandHasHelpWithAnExample) {
   const auto names = commands(bedmix({"--help"}));
-  EXPECT_EQ(names, (std::set<std::string>{"accuracy", "check", "completion", "doctor", "plot", "render",
+  EXPECT_EQ(names, (std::set<std::string>{"accuracy", "check", "completion", "doctor", "export", "plot", "recover", "render",
                                           "replay", "report", "run", "scenes", "sheet"}));
   for (const std::string& name : names) {
     const Outcome help = bedmix({name, "--help"});
