@@ -58,7 +58,8 @@ std::optional<Diagnostic> GrowingFile::append(std::string_view piece) {
     end_ += piece.size();
     return std::nullopt;
   }
-  const Diagnostic problem = unwritten(path_, "; what stands in it is whole up to its last frame");
+  const Diagnostic problem =
+      unwritten(path_, end_ > 0 ? "; what stands in it is whole up to its last frame" : "");
   // Needs no room, for the tail has stood there.
   if (writeAll(descriptor_, tail_, end_)) [[maybe_unused]]
     const int cut = ftruncate(descriptor_, static_cast<off_t>(end_ + tail_.size()));

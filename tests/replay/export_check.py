@@ -100,8 +100,7 @@ def check_atoms(kind, name):
     found = ase.io.read(os.path.join(folder, name), index=":", format=kind)
     assert len(found) == len(frames)
     for frame, atoms in zip(frames, found):
-        position = in_space(of(particles, "position", frame).astype(float))
-        assert np.array_equal(atoms.get_positions(), position)
+        same(atoms.get_positions().astype(np.float32), in_space(of(particles, "position", frame)), "position")
         if kind == "lammps-dump-text":
             continue  # ASE scales what else there is to its own units
         assert np.array_equal(atoms.arrays["velo"].astype(np.float32), in_space(of(particles, "velocity", frame)))
