@@ -23,6 +23,8 @@ void addRenderCommand(CLI::App& program, CommandContext context);
 void addSheetCommand(CLI::App& program, CommandContext context);
 void addPlotCommand(CLI::App& program, CommandContext context);
 void addReportCommand(CLI::App& program, CommandContext context);
+void addExportCommand(CLI::App& program, CommandContext context);
+void addRecoverCommand(CLI::App& program, CommandContext context);
 void addAccuracyCommand(CLI::App& program, CommandContext context);
 void addCheckCommand(CLI::App& program, CommandContext context);
 void addScenesCommand(CLI::App& program, CommandContext context);

@@ -6,9 +6,9 @@
 
 namespace bedmix {
 
-void addFrameSelection(CLI::App& command, FrameSelection& selection) {
+void addFrameSelection(CLI::App& command, FrameSelection& selection, const char* last) {
   command.add_option("--from", selection.from, "First simulated second")->type_name("T");
-  command.add_option("--to", selection.to, "Last simulated second")->type_name("T");
+  command.add_option(last, selection.to, "Last simulated second")->type_name("T");
   command.add_option("--every", selection.every, "Take every N-th frame only")
       ->type_name("N")
       ->check(CLI::Range(1, 1000000000));

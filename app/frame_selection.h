@@ -20,7 +20,8 @@ struct FrameSelection {
   int every = 1;                                        // of those between
   friend bool operator==(const FrameSelection&, const FrameSelection&) = default;
 };
-void addFrameSelection(CLI::App& command, FrameSelection& selection);
+/// `last` is the option that names the last second.
+void addFrameSelection(CLI::App& command, FrameSelection& selection, const char* last = "--to");
 
 /// Indices of the selected ones of frames at `times`; at least one, or the reason why there is none.
 Result<std::vector<std::size_t>> selectFrames(const std::vector<double>& times,

@@ -66,6 +66,8 @@ int run(int argc, char** argv) {
   addSheetCommand(program, context);
   addPlotCommand(program, context);
   addReportCommand(program, context);
+  addExportCommand(program, context);
+  addRecoverCommand(program, context);
   addAccuracyCommand(program, context);
   addCheckCommand(program, context);
   addScenesCommand(program, context);

@@ -36,7 +36,7 @@ std::vector<std::pair<std::string, std::string>> settingsOf(Scene scene) {
 }
 
 /// How many frames a run of the scene has recorded by a step; its last may come early.
-std::size_t framesUntil(std::int64_t step, const Scene& scene) {
+std::size_t framesBy(std::int64_t step, const Scene& scene) {
   const std::int64_t perFrame = stepsPerFrame(scene);
   const bool isEarly = step == totalSteps(scene) && step % perFrame != 0;
   return static_cast<std::size_t>(step / perFrame) + (isEarly ? 2 : 1);
@@ -59,6 +59,10 @@ bool isBetter(const Candidate& a, const Candidate& b) {
 }
 
 }  // namespace
+
+std::size_t framesUntil(const CheckpointMark& mark, const Scene& scene) {
+  return framesBy(mark.step, refined(scene, mark.refinement));
+}
 
 std::optional<Diagnostic> sceneDifference(const Scene& recorded, const Scene& asked) {
   const auto then = settingsOf(recorded), now = settingsOf(asked);
@@ -98,7 +102,7 @@ Result<ResumePoint> findResumePoint(TrajectoryReader recorded, const Scene& scen
       console.warn(start.problems.front().message);
       continue;
     }
-    const std::size_t frames = framesUntil(start->simulation.step(), goesOn);
+    const std::size_t frames = framesBy(start->simulation.step(), goesOn);
     if (frames <= recorded.times().size())
       return ResumePoint{std::move(recorded), std::move(*start), goesOn, frames, c.slot};
     console.warn("a checkpoint is ahead of the recorded frames");

@@ -26,6 +26,9 @@ struct ResumePoint {
 Result<ResumePoint> findResumePoint(TrajectoryReader recorded, const Scene& scene, int threads,
                                     const Console& console, std::optional<Refinement> refinement = {});
 
+/// How many frames must be recorded for a run of the scene to go on from a checkpoint.
+std::size_t framesUntil(const CheckpointMark& mark, const Scene& scene);
+
 /// The first setting in which two scenes differ, their durations apart.
 std::optional<Diagnostic> sceneDifference(const Scene& recorded, const Scene& asked);
 

@@ -2,6 +2,9 @@
 #include "replay/hdf5_input.h"
 
 #include "replay/hdf5_layout.h"
+#include "replay/salvage_driver.h"
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
@@ -12,7 +15,7 @@ namespace bedmix {
 
 namespace {
 
-H5 openFile(const std::filesystem::path& path) {
+H5 openFile(const std::filesystem::path& path, Reading reading) {
   quietHdf5();
   if (std::filesystem::file_size(path) == 0)
     throw Hdf5Error("is empty: its run ended before the first frame was written");
@@ -20,12 +23,14 @@ H5 openFile(const std::filesystem::path& path) {
     throw Hdf5Error("is no HDF5 file; name a trajectory.h5 or the folder of a run");
   const H5 access(H5Pcreate(H5P_FILE_ACCESS), "set up the file");
   H5Pset_file_locking(access, false, true);
+  if (reading == Reading::remains) useSalvageDriver(access);
   try {
     return {H5Fopen(path.c_str(), H5F_ACC_RDONLY, access), "open it"};
   } catch (const Hdf5Error& e) {
     if (std::string(e.what()).find("truncated file") == std::string::npos) throw;
     throw Hdf5Error("is cut off at " + std::to_string(std::filesystem::file_size(path)) +
-                    " bytes, perhaps by an interrupted copy; copy it once more");
+                    " bytes, perhaps by an interrupted copy; copy it once more, or save what is there with "
+                    "bedmix recover");
   }
 }
 
@@ -46,11 +51,15 @@ bool isNumber(hid_t type) {
   return kind == H5T_FLOAT || kind == H5T_INTEGER || kind == H5T_ENUM;
 }
 
+hsize_t sizeOf(hid_t file) {
+  hsize_t size = 0;
+  checkHdf5(H5Fget_filesize(file, &size), "find the size of the file");
+  return size;
+}
+
 /// Bytes that a dataset has in the file: no more than that holds, whatever it says.
 hsize_t storedBytes(hid_t file, hid_t dataset) {
-  hsize_t fileSize = 0;
-  checkHdf5(H5Fget_filesize(file, &fileSize), "find the size of the file");
-  return std::min(H5Dget_storage_size(dataset), fileSize);
+  return std::min(H5Dget_storage_size(dataset), sizeOf(file));
 }
 
 /// Bytes that those in the file can stand for. Of one, deflate makes at most 1032 (https://zlib.net).
@@ -91,10 +100,11 @@ H5 keepingChunks(hid_t file, H5 dataset, const std::string& path) {
 
 }  // namespace
 
-Hdf5Values::Hdf5Values(hid_t file, std::string path, std::vector<hsize_t> row, bool isSeries)
+Hdf5Values::Hdf5Values(hid_t file, std::string path, std::vector<hsize_t> row, bool isSeries, Reading reading)
     : path_(std::move(path)),
       row_(std::move(row)),
       isSeries_(isSeries),
+      reading_(reading),
       dataset_(keepingChunks(file, openDataset(file, path_), path_)) {
   std::vector<hsize_t> extent = extentOf(dataset_, path_);
   std::vector<hsize_t> expected = row_;
@@ -108,10 +118,30 @@ Hdf5Values::Hdf5Values(hid_t file, std::string path, std::vector<hsize_t> row, b
   const H5 type(H5Dget_type(dataset_), "read the type of " + path_);
   if (!isNumber(type)) throw Hdf5Error(path_ + " does not hold numbers");
   const hsize_t rowBytes = rowSize() * H5Tget_size(type);
-  // A kill can leave the extent ahead of the data.
-  if (rowBytes > 0) rows_ = std::min(rows_, explainedBytes(file, dataset_, path_) / rowBytes);
+  const bool isWhole = reading_ == Reading::whole;
+  if (rowBytes > 0) {
+    // A kill can leave the extent ahead of the data. Of remains the list of what is there may be damaged.
+    const hsize_t most = isWhole || !isSeries_ ? explainedBytes(file, dataset_, path_) : sizeOf(file);
+    rows_ = std::min(rows_, most / rowBytes);
+  }
   if (!isSeries_ && rows_ == 0) throw Hdf5Error(path_ + " is damaged: it has fewer bytes than it says");
-  checkLayout(dataset_, rows_ * rowBytes, path_);
+  if (isWhole || !isSeries_) checkLayout(dataset_, rows_ * rowBytes, path_);
+}
+
+void Hdf5Values::expectChunks(hsize_t from, hsize_t count) const {
+  const H5 creation(H5Dget_create_plist(dataset_), "read the layout of " + path_);
+  const H5 type(H5Dget_type(dataset_), "read the type of " + path_);
+  std::vector<hsize_t> chunk(row_.size() + 1), at(chunk.size(), 0);
+  if (H5Pget_chunk(creation, static_cast<int>(chunk.size()), chunk.data()) !=
+          static_cast<int>(chunk.size()) ||
+      !std::equal(row_.begin(), row_.end(), chunk.begin() + 1) || chunk[0] == 0)
+    throw Hdf5Error(path_ + " is not in chunks of whole rows");
+  const hsize_t bytes = chunk[0] * rowSize() * H5Tget_size(type);
+  for (at[0] = from / chunk[0] * chunk[0]; at[0] < from + count; at[0] += chunk[0]) {
+    hsize_t found = 0;
+    checkHdf5(H5Dget_chunk_storage_size(dataset_, at.data(), &found), "find a row of " + path_);
+    if (found != bytes) throw Hdf5Error(fmt::format("row {} of {} is lost", at[0], path_));
+  }
 }
 
 std::size_t Hdf5Values::rowSize() const {
@@ -119,6 +149,7 @@ std::size_t Hdf5Values::rowSize() const {
 }
 
 void Hdf5Values::read(hsize_t from, hsize_t count, hid_t type, void* into) const {
+  if (reading_ == Reading::remains && isSeries_) expectChunks(from, count);
   std::vector<hsize_t> start(row_.size(), 0), counts = row_;
   if (isSeries_) {
     start.insert(start.begin(), from);
@@ -136,7 +167,8 @@ void Hdf5Values::read(hsize_t from, hsize_t count, hid_t type, void* into) const
   checkHdf5(H5Dread(dataset_, type, rowSpace, fileSpace, H5P_DEFAULT, into), "read " + path_);
 }
 
-Hdf5Input::Hdf5Input(const std::filesystem::path& path) : file_(openFile(path)) {}
+Hdf5Input::Hdf5Input(const std::filesystem::path& path, Reading reading)
+    : reading_(reading), file_(openFile(path, reading)) {}
 
 bool Hdf5Input::has(const std::string& path) const {
   // Each part on its own: H5Lexists fails where a part before the last is missing.

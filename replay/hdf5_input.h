@@ -11,16 +11,19 @@
 
 namespace bedmix {
 
+/// How a file is taken: as a whole one, or as what is left of one, of which each row is looked at by itself.
+enum class Reading { whole, remains };
+
 /// A dataset in a file that may be damaged. `row` are the extents it must have, beside its first one, time,
 /// where it is a series.
 class Hdf5Values {
  public:
   /// Fails where there is none, and on other extents, values that are no numbers, or fewer bytes in the file
   /// than one row can be packed into.
-  Hdf5Values(hid_t file, std::string path, std::vector<hsize_t> row, bool isSeries);
+  Hdf5Values(hid_t file, std::string path, std::vector<hsize_t> row, bool isSeries, Reading reading);
 
   bool isSeries() const { return isSeries_; }
-  /// Rows that are there as a whole; 1 where there is no time.
+  /// Rows that are there as a whole; 1 where there is no time. Of remains as many as it says: each can fail.
   hsize_t rows() const { return rows_; }
   /// Numbers in a row.
   std::size_t rowSize() const;
@@ -39,10 +42,12 @@ class Hdf5Values {
 
  private:
   void read(hsize_t from, hsize_t count, hid_t type, void* into) const;
+  void expectChunks(hsize_t from, hsize_t count) const;
 
   std::string path_;
   std::vector<hsize_t> row_;
   bool isSeries_;
+  Reading reading_;
   H5 dataset_;
   hsize_t rows_ = 1;
 };
@@ -50,8 +55,9 @@ class Hdf5Values {
 /// An HDF5 file being read; a run may still be writing it.
 class Hdf5Input {
  public:
-  explicit Hdf5Input(const std::filesystem::path& path);
+  explicit Hdf5Input(const std::filesystem::path& path, Reading reading = Reading::whole);
 
+  Reading reading() const { return reading_; }
   bool has(const std::string& path) const;
   bool isGroup(const std::string& path) const;
   /// Names of what is in a group, in their order.
@@ -69,15 +75,16 @@ class Hdf5Input {
     return value;
   }
   Hdf5Values fixed(const std::string& path, std::vector<hsize_t> extent) const {
-    return {file_, path, std::move(extent), false};
+    return {file_, path, std::move(extent), false, reading_};
   }
   Hdf5Values series(const std::string& path, std::vector<hsize_t> row) const {
-    return {file_, path, std::move(row), true};
+    return {file_, path, std::move(row), true, reading_};
   }
 
  private:
   bool readNumber(const std::string& path, const char* attribute, hid_t type, void* into) const;
 
+  Reading reading_;
   H5 file_;
 };
 

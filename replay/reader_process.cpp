@@ -40,6 +40,7 @@ void putConstants(Channel& to, const RunConstants& constants) {
     to.putAll(event.kind);
     to.putAll(event.detail);
   }
+  to.put(constants.recorded);
   to.putAll(constants.steps);
   to.putAll(constants.times);
   to.putAll(constants.species);
@@ -56,6 +57,7 @@ RunConstants getConstants(Channel& from) {
     event.kind = from.getAll<std::string>();
     event.detail = from.getAll<std::string>();
   }
+  constants.recorded = from.get<std::size_t>();
   constants.steps = from.getAll<std::vector<std::int64_t>>();
   constants.times = from.getAll<std::vector<double>>();
   constants.species = from.getAll<std::vector<std::uint8_t>>();
@@ -73,13 +75,13 @@ void take(const float*& at, std::size_t count, std::vector<T>& into) {
 
 /// Makes of a frame of the pool, which is new or was another one of the run, the one of that index.
 void fill(Frame& frame, const RunPreamble& run, std::size_t index, const float* numbers) {
-  const auto& [provenance, events, steps, times, species, id] = run.constants;
-  const std::size_t n = species.size();
-  frame.step = steps[index];
-  frame.time = times[index];
+  const RunConstants& constants = run.constants;
+  const std::size_t n = constants.species.size();
+  frame.step = constants.steps[index];
+  frame.time = constants.times[index];
   if (frame.id.size() != n) {
-    frame.species = species;
-    frame.id = id;
+    frame.species = constants.species;
+    frame.id = constants.id;
   }
   take(numbers, n, frame.position);
   take(numbers, n, frame.velocity);
@@ -98,11 +100,11 @@ float* half(const SharedMemory& memory, std::size_t which, std::size_t numbers) 
 }
 
 /// All that the child does.
-void serve(Channel& parent, const SharedMemory& memory, const std::filesystem::path& file) {
+void serve(Channel& parent, const SharedMemory& memory, const std::filesystem::path& file, Reading reading) {
   allowWorkOn(file);
   std::optional<Hdf5Input> in;
   SceneText text;
-  std::string trouble = troubleOf([&] { text = readSceneText(in.emplace(file)); });
+  std::string trouble = troubleOf([&] { text = readSceneText(in.emplace(file, reading)); });
   parent.putAll(trouble);
   if (!trouble.empty()) return;
   parent.putAll(text.text);
@@ -133,10 +135,10 @@ std::size_t roomFor(const std::filesystem::path& file) { return 1 + 2 * std::fil
 
 }  // namespace
 
-ReaderProcess::ReaderProcess(std::filesystem::path file)
+ReaderProcess::ReaderProcess(std::filesystem::path file, Reading reading)
     : file_(std::move(file)),
       memory_(roomFor(file_)),
-      child_([this](Channel& parent) { serve(parent, memory_, file_); }) {}
+      child_([this, reading](Channel& parent) { serve(parent, memory_, file_, reading); }) {}
 
 std::optional<Diagnostic> ReaderProcess::trouble() {
   std::string text = child_.channel().getAll<std::string>();

@@ -29,7 +29,7 @@ struct RunPreamble {
 /// it computes for longer than the size of the file explains.
 class ReaderProcess {
  public:
-  explicit ReaderProcess(std::filesystem::path file);
+  ReaderProcess(std::filesystem::path file, Reading reading);
 
   /// To be called once, and first.
   Result<RunPreamble> open();

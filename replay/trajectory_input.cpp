@@ -42,6 +42,12 @@ Provenance readProvenance(const Hdf5Input& in) {
   }
 }
 
+/// Lost bytes are no number, and no text.
+bool isWhole(const RunEvent& event) {
+  constexpr char lost = '\xff';
+  return std::isfinite(event.time) && (event.kind + event.detail).find(lost) == std::string::npos;
+}
+
 /// Those that are there as a whole.
 std::vector<RunEvent> readEvents(const Hdf5Input& in) {
   try {
@@ -52,6 +58,7 @@ std::vector<RunEvent> readEvents(const Hdf5Input& in) {
     for (std::size_t i = 0; i < events.size(); ++i) {
       events[i] = {0.0, kinds[i], details[i]};
       times.readRow(i, &events[i].time);
+      if (!isWhole(events[i])) return {events.begin(), events.begin() + static_cast<std::ptrdiff_t>(i)};
     }
     return events;
   } catch (const Hdf5Error&) {
@@ -109,22 +116,45 @@ void TrajectoryInput::readTimes() {
   if (angularVelocity_) frames = std::min(frames, angularVelocity_->rows());
   if (gas_) frames = std::min({frames, gas_->voidage.rows(), gas_->pressure.rows(), gas_->velocity.rows()});
   if (frames == 0) throw Hdf5Error("holds no whole frame: its run ended before the first was written");
-  auto& [provenance, events, steps, times, species, id] = constants_;
+  constants_.recorded = frames;
+  std::vector<std::int64_t>& steps = constants_.steps;
+  std::vector<double>& times = constants_.times;
   steps.resize(frames);
   times.resize(frames);
-  step.readRows(frames, steps.data());
-  time.readRows(frames, times.data());
+  const bool isWhole = in_.reading() == Reading::whole;
+  if (isWhole) {
+    step.readRows(frames, steps.data());
+    time.readRows(frames, times.data());
+  }
   for (std::size_t i = 0; i < frames; ++i) {
-    if (!std::isfinite(times[i]))
-      throw Hdf5Error(fmt::format("the time of frame {} is {}, no number", i, times[i]));
-    if (i > 0 && !(times[i] > times[i - 1] && steps[i] > steps[i - 1]))
-      throw Hdf5Error(fmt::format("frame {} at {} s, step {} does not follow frame {} at {} s, step {}", i,
-                                  times[i], steps[i], i - 1, times[i - 1], steps[i - 1]));
+    try {
+      if (!isWhole) {
+        step.readRow(i, &steps[i]);
+        time.readRow(i, &times[i]);
+      }
+      expectToFollow(i);
+    } catch (const Hdf5Error&) {
+      if (isWhole || i == 0) throw;
+      frames = i;
+      steps.resize(frames);
+      times.resize(frames);
+    }
   }
 }
 
+void TrajectoryInput::expectToFollow(std::size_t i) const {
+  const std::vector<std::int64_t>& steps = constants_.steps;
+  const std::vector<double>& times = constants_.times;
+  if (!std::isfinite(times[i]))
+    throw Hdf5Error(fmt::format("the time of frame {} is {}, no number", i, times[i]));
+  if (i > 0 && !(times[i] > times[i - 1] && steps[i] > steps[i - 1]))
+    throw Hdf5Error(fmt::format("frame {} at {} s, step {} does not follow frame {} at {} s, step {}", i,
+                                times[i], steps[i], i - 1, times[i - 1], steps[i - 1]));
+}
+
 void TrajectoryInput::readSpecies() {
-  auto& [provenance, events, steps, times, species, id] = constants_;
+  std::vector<std::uint8_t>& species = constants_.species;
+  std::vector<std::int32_t>& id = constants_.id;
   species.resize(particles_);
   id.resize(particles_);
   in_.fixed(layout::species, {particles_}).readRow(0, species.data());

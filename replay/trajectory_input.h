@@ -26,6 +26,7 @@ SceneText readSceneText(const Hdf5Input& in);
 struct RunConstants {
   Provenance provenance;         // empty where it cannot be read
   std::vector<RunEvent> events;  // likewise
+  std::size_t recorded = 0;      // frames there are said to be; of remains there may be fewer
   std::vector<std::int64_t> steps;
   std::vector<double> times;  // s, as many
   std::vector<std::uint8_t> species;
@@ -53,6 +54,7 @@ class TrajectoryInput {
   };
   static GasSeries openGas(const Hdf5Input& in, const Scene& scene);
   void readTimes();
+  void expectToFollow(std::size_t index) const;
   void readSpecies();
 
   const Hdf5Input& in_;

@@ -56,6 +56,8 @@ inline constexpr const char* eventDetail = "bedmix/events/detail";
 inline constexpr std::size_t eventKindSize = 32, eventDetailSize = 480;  // bytes
 
 inline constexpr const char* gas = "bedmix/gas";
+inline constexpr const char* gasX = "bedmix/gas/x";
+inline constexpr const char* gasY = "bedmix/gas/y";
 inline constexpr const char* voidage = "bedmix/gas/voidage";
 inline constexpr const char* pressure = "bedmix/gas/pressure";
 inline constexpr const char* gasVelocity = "bedmix/gas/gas_velocity";

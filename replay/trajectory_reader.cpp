@@ -16,6 +16,7 @@ namespace bedmix {
 
 struct TrajectoryReader::State {
   std::filesystem::path path;
+  Reading reading;
   ReaderProcess process;
   RunPreamble run;
 
@@ -32,7 +33,7 @@ struct TrajectoryReader::State {
   }
 
   void restart() {
-    process = ReaderProcess(path);
+    process = ReaderProcess(path, reading);
     const Result<RunPreamble> again = process.open();
     if (!again) throw std::runtime_error(again.problems.front().message);
     if (writeScene(again->scene) != writeScene(run.scene) ||
@@ -42,17 +43,25 @@ struct TrajectoryReader::State {
 };
 
 Result<TrajectoryReader> TrajectoryReader::open(const std::filesystem::path& path) {
+  return open(path, Reading::whole);
+}
+
+Result<TrajectoryReader> TrajectoryReader::openRemains(const std::filesystem::path& path) {
+  return open(path, Reading::remains);
+}
+
+Result<TrajectoryReader> TrajectoryReader::open(const std::filesystem::path& path, Reading reading) {
   std::error_code error;
   const bool isFolder = std::filesystem::is_directory(path, error);
   const std::filesystem::path file = isFolder ? path / layout::fileName : path;
   if (!std::filesystem::exists(file, error))
     return fileTrouble(file, "does not exist; name a trajectory.h5 or the folder of a run");
   try {
-    ReaderProcess process(file);
+    ReaderProcess process(file, reading);
     try {
       Result<RunPreamble> run = process.open();
       if (!run) return std::move(run.problems);
-      return TrajectoryReader(std::make_unique<State>(file, std::move(process), std::move(*run)));
+      return TrajectoryReader(std::make_unique<State>(file, reading, std::move(process), std::move(*run)));
     } catch (const ChannelClosed&) {
       return fileTrouble(file, damageShownBy(process.end()));
     }
@@ -70,6 +79,7 @@ const Scene& TrajectoryReader::scene() const { return state_->run.scene; }
 const Provenance& TrajectoryReader::provenance() const { return state_->run.constants.provenance; }
 const std::vector<RunEvent>& TrajectoryReader::events() const { return state_->run.constants.events; }
 const std::vector<double>& TrajectoryReader::times() const { return state_->run.constants.times; }
+std::size_t TrajectoryReader::recorded() const { return state_->run.constants.recorded; }
 
 Result<FramePtr> TrajectoryReader::frame(std::size_t index) {
   State& s = *state_;

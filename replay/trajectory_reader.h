@@ -10,6 +10,8 @@
 
 namespace bedmix {
 
+enum class Reading;
+
 /// The frames of a trajectory file, the same to the bit as those that were written. Memory does not grow with
 /// the length of the run. HDF5 works in a process of the reader's own, so that damage on which it fails is a
 /// Diagnostic like any other.
@@ -19,6 +21,9 @@ class TrajectoryReader final : public RecordedFrames {
   /// truncated, of another version, inconsistent, or without a frame. A last frame that a killed run left
   /// unfinished is not counted.
   static Result<TrajectoryReader> open(const std::filesystem::path& path);
+  /// What is left of a damaged or cut-off file: its first frames, up to one whose step or time is lost or
+  /// makes no sense. Fails where nothing of use is. Frames can fail as those of a whole file can.
+  static Result<TrajectoryReader> openRemains(const std::filesystem::path& path);
   ~TrajectoryReader() override;
   TrajectoryReader(TrajectoryReader&&) noexcept;
   TrajectoryReader& operator=(TrajectoryReader&&) noexcept;
@@ -29,6 +34,9 @@ class TrajectoryReader final : public RecordedFrames {
   const std::vector<double>& times() const override;
   Result<FramePtr> frame(std::size_t index) override;
 
+  /// How many frames the file says that it holds; no fewer than there are.
+  std::size_t recorded() const;
+
   /// What is there of checkpoints, whole or not, by the place each stands in; empty where there is none or it
   /// cannot be read.
   std::vector<std::vector<std::byte>> checkpoints();
@@ -36,6 +44,7 @@ class TrajectoryReader final : public RecordedFrames {
  private:
   struct State;
   explicit TrajectoryReader(std::unique_ptr<State> state);
+  static Result<TrajectoryReader> open(const std::filesystem::path& path, Reading reading);
 
   std::unique_ptr<State> state_;
 };

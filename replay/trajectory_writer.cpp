@@ -76,8 +76,8 @@ void writeHeader(const Hdf5Output& out, const Scene& scene, const Provenance& pr
 
 void writeGasGrid(const Hdf5Output& out, const GasGrid& grid) {
   out.group(layout::gas);
-  out.fixed<double>(layout::gas + std::string("/x"), grid.x);
-  out.fixed<double>(layout::gas + std::string("/y"), grid.y);
+  out.fixed<double>(layout::gasX, grid.x);
+  out.fixed<double>(layout::gasY, grid.y);
   out.fixed<std::int32_t>(layout::gas + std::string("/lowest_row"), grid.lowestRow);
 }
 

@@ -26,8 +26,9 @@ std::set<std::string> commands(const Outcome& help) {
 
 TEST_F(Documentation, EveryCommandHasHelpWithAnExample) {
   const auto names = commands(bedmix({"--help"}));
-  EXPECT_EQ(names, (std::set<std::string>{"accuracy", "check", "completion", "doctor", "plot", "render",
-                                          "replay", "report", "run", "scenes", "sheet"}));
+  EXPECT_EQ(names,
+            (std::set<std::string>{"accuracy", "check", "completion", "doctor", "export", "plot", "recover",
+                                   "render", "replay", "report", "run", "scenes", "sheet"}));
   for (const std::string& name : names) {
     const Outcome help = bedmix({name, "--help"});
     EXPECT_EQ(help.exitCode, 0);
@@ -68,6 +69,21 @@ TEST_F(Documentation, LinksOfDocumentsLeadSomewhere) {
     for (const std::string& link : matches(readFile(document), "\\]\\(([^)#:]+)\\)"))
       EXPECT_TRUE(fs::exists(document.parent_path() / link)) << document << " links " << link;
   }
+}
+
+TEST_F(Documentation, TheExampleInPythonDerivesTheRecordedIndex) {
+  const std::string python = "/usr/bin/python3";
+  if (shell(python + " -c 'import h5py, matplotlib, tomllib'").exitCode != 0)
+    GTEST_SKIP() << python << " has no h5py, no matplotlib or is older than 3.11";
+  ASSERT_EQ(bedmix({"run", "tiny", "-o", "out/even", "--until", "0.2"}).exitCode, 0);
+  const std::string document = readFile(BEDMIX_SOURCE_DIR "/assets/docs/export.md"), begin = "```python\n";
+  const std::size_t from = document.find(begin) + begin.size();
+  writeFile(folder / "example.py", document.substr(from, document.find("```", from) - from) +
+                                       "assert len(time) == 21 and np.all(np.isfinite(recorded))\n"
+                                       "assert np.allclose(derived, recorded, rtol=1e-12)\n");
+  const Outcome o = shell(python + " example.py");
+  EXPECT_EQ(o.exitCode, 0) << o.err;
+  EXPECT_TRUE(fs::exists(folder / "lacey.png"));
 }
 
 TEST_F(Documentation, SceneReferenceHasEveryKeyWithItsMeaning) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "engine/core/rng.h"
+#include "replay/export/export_format.h"
 #include "replay/series_log.h"
 #include "replay/trajectory_writer.h"
 #include "tests/replay/synthetic.h"
@@ -8,6 +9,7 @@
 
 #include <csignal>
 #include <functional>
+#include <numeric>
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -75,6 +77,29 @@ TEST(DiskFull, SeriesStayWholeUpToTheirLastLine) {
     ASSERT_TRUE(table);
     EXPECT_EQ(table->rows(), static_cast<std::size_t>(taken));
   }
+}
+
+TEST(DiskFull, ExportsAreWholeUpToTheirLastFrame) {
+  const Scene scene = syntheticScene(false, true);
+  std::vector<std::size_t> all(250);
+  std::iota(all.begin(), all.end(), 0);
+  const auto open = [&](const ExportFormat& format, const TemporaryFolder& folder) {
+    return format.open({scene, "trajectory.h5", all.size(), all, folder.path()});
+  };
+  for (const ExportFormat& format : exportFormats())
+    for (const rlim_t bytes : {6000u, 12345u}) {
+      const TemporaryFolder full, roomy;
+      const int taken = withFullDisk(bytes, [&] {
+        const auto made = open(format, full);
+        return made ? framesUntilFailure(**made, scene) : 254;
+      });
+      ASSERT_LT(taken, 250) << format.name << ", " << bytes << " bytes";
+      const auto made = open(format, roomy);
+      ASSERT_TRUE(made);
+      for (int i = 0; i < taken; ++i) (*made)->accept(syntheticFrame(scene, i));
+      const auto file = (*made)->files().front();
+      EXPECT_EQ(fileText(full / file.filename().string()), fileText(file)) << format.name << ", " << bytes;
+    }
 }
 
 }  // namespace
