@@ -14,7 +14,7 @@ work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 folder=$work/killed
 
-frames_of() { sed -n 's/.*"frames": \([0-9]*\).*/\1/p'; }
+frames_of() { sed -n 's/.*"frames": *\([0-9]*\).*/\1/p'; }
 between() { awk -v r="$RANDOM" -v from="$1" -v to="$2" 'BEGIN { print from + (to - from) * r / 32768 }'; }
 # Recovers a file: `count` frames; counts it where it changed.
 recovered() { # FILE OUT
