@@ -55,7 +55,7 @@ TEST_F(ForeignDamage, AParticleThatIsThereTwice) {
   expect("frame 0: there is a particle 3000000000", "flat");
 }
 
-TEST_F(ForeignDamage, ASpeciesThatIsNewOnTheWay) {
+TEST_F(ForeignDamage, AChosenTracerLeavesAllOtherSpeciesTheRest) {
   ForeignOptions options;
   options.tracerSpecies = 0;
   overwrite("snapshot", "particles/all/species", {2}, 1e9);

@@ -38,7 +38,7 @@ void ForeignFiles::overwrite(const std::string& name, const std::string& dataset
   edit(name, [&](hid_t file) {
     const hid_t values = H5Dopen2(file, dataset.c_str(), H5P_DEFAULT), space = H5Dget_space(values);
     const hid_t one = H5Screate(H5S_SCALAR);
-    H5Sselect_elements(space, H5S_SELECT_SET, 1, at.data());
+    if (!at.empty()) H5Sselect_elements(space, H5S_SELECT_SET, 1, at.data());
     EXPECT_GE(H5Dwrite(values, H5T_NATIVE_DOUBLE, one, at.empty() ? one : space, H5P_DEFAULT, &value), 0);
     H5Sclose(one), H5Sclose(space), H5Dclose(values);
   });
