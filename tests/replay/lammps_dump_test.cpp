@@ -7,7 +7,6 @@
 #include <gtest/gtest.h>
 
 #include <cstdlib>
-#include <fstream>
 #include <sstream>
 #include <zlib.h>
 
@@ -39,10 +38,9 @@ class LammpsDump : public testing::Test {
     auto frame = (*dump)->frame(0);
     return frame ? "" : said(frame.problems.front());
   }
-  static std::string said(const Diagnostic& problem) {
+  std::string said(const Diagnostic& problem) {
     EXPECT_EQ(problem.trouble, Trouble::file);
-    const std::string message = toString(problem);
-    return message.substr(message.find("dump"));
+    return toString(problem).substr(folder_.path().string().size() + 1);
   }
 
   TemporaryFolder folder_;
@@ -190,6 +188,70 @@ TEST_F(LammpsDump, GzippedIsTheSame) {
   EXPECT_GT(whole, 100u);
   EXPECT_LT(whole, 200u);
   EXPECT_EQ((*dump)->frame(whole - 1)->position.at(7)[0], static_cast<double>(whole - 1) + 7);
+}
+
+/// Grains that fall into a box; dumped before there are any and four times after.
+constexpr const char* liggghtsDeck = R"(atom_style granular
+boundary f f f
+newton off
+communicate single vel yes
+units si
+region reg block 0 0.02 0 0.02 0 0.05 units box
+create_box 1 reg
+neighbor 0.001 bin
+fix m1 all property/global youngsModulus peratomtype 5e6
+fix m2 all property/global poissonsRatio peratomtype 0.45
+fix m3 all property/global coefficientRestitution peratomtypepair 1 0.9
+fix m4 all property/global coefficientFriction peratomtypepair 1 0.3
+pair_style gran model hertz tangential history
+pair_coeff * *
+timestep 1e-5
+fix g all gravity 9.81 vector 0 0 -1
+fix zw all wall/gran model hertz tangential history primitive type 1 zplane 0.0
+fix xl all wall/gran model hertz tangential history primitive type 1 xplane 0.0
+fix xr all wall/gran model hertz tangential history primitive type 1 xplane 0.02
+fix yl all wall/gran model hertz tangential history primitive type 1 yplane 0.0
+fix yr all wall/gran model hertz tangential history primitive type 1 yplane 0.02
+fix pts all particletemplate/sphere 15485863 atom_type 1 density constant 2500 radius constant 0.001
+fix pdd all particledistribution/discrete 15485867 1 pts 1.0
+fix ins all insert/pack seed 32452843 distributiontemplate pdd vel constant 0 0 -0.1 insert_every once overlapcheck yes all_in yes particles_in_region 60 region reg
+fix integ all nve/sphere
+dump d all custom 500 post.dump id type x y z vx vy vz omegax omegay omegaz radius
+run 2000
+)";
+
+TEST_F(LammpsDump, OfLiggghtsItself) {
+  if (std::system("command -v liggghts > /dev/null") != 0) GTEST_SKIP() << "needs Debian's liggghts";
+  writeText(folder_ / "in.bed", liggghtsDeck);
+  ASSERT_EQ(std::system(
+                ("cd " + folder_.path().string() + " && liggghts -in in.bed > out 2>&1 < /dev/null").c_str()),
+            0)
+      << fileText(folder_ / "out");
+  auto dump = openLammpsDump(std::vector{folder_ / "post.dump"});
+  ASSERT_TRUE(dump) << toString(dump.problems.front());
+  EXPECT_EQ((*dump)->steps(), (std::vector<std::int64_t>{0, 500, 1000, 1500, 2000}));
+  EXPECT_TRUE((*dump)->frame(0)->position.empty());
+  const auto frame = (*dump)->frame(3);
+  ASSERT_TRUE(frame);
+  ASSERT_EQ(frame->position.size(), 60u);
+
+  // The rows as any program would find them: by the fourth header, twelve numbers each.
+  std::istringstream lines(fileText(folder_ / "post.dump"));
+  std::string line;
+  for (int headers = 0; headers < 4;)
+    if (std::getline(lines, line); line.starts_with("ITEM: ATOMS")) ++headers;
+  for (std::size_t i = 0; i < 60; ++i) {
+    std::int64_t id = 0, type = 0;
+    Vec3d x, v, w;
+    double radius = 0.0;
+    lines >> id >> type >> x[0] >> x[1] >> x[2] >> v[0] >> v[1] >> v[2] >> w[0] >> w[1] >> w[2] >> radius;
+    EXPECT_EQ(frame->id[i], id);
+    EXPECT_EQ(frame->species[i], type);
+    EXPECT_EQ(frame->position[i], x);
+    EXPECT_EQ(frame->velocity[i], v);
+    EXPECT_EQ(frame->angularVelocity[i], w);
+    EXPECT_EQ(frame->radius[i], radius);
+  }
 }
 
 TEST_F(LammpsDump, CutOffAnywhereItHasFewerFrames) {
