@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "app/commands.h"
 #include "app/frame_selection.h"
+#include "app/recorded_runs.h"
 #include "app/run_folder.h"
 #include "replay/export/export_format.h"
-#include "replay/trajectory_reader.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -19,6 +19,7 @@ namespace {
 
 struct ExportOptions {
   std::string run;
+  RecordingOptions recording;
   std::string format;
   std::string folder;
   FrameSelection frames;
@@ -35,8 +36,9 @@ ExitCode failAt(const char* option, Result<T>& result, const Console& console) {
 ExitCode exportRun(const ExportOptions& options, const Console& console) {
   auto format = findExportFormat(options.format);
   if (!format) return failAt("--to", format, console);
-  auto reader = TrajectoryReader::open(options.run);
-  if (!reader) return console.fail(reader.problems);
+  auto runs = openRuns(std::span(&options.run, 1), options.recording);
+  if (!runs) return console.fail(runs.problems);
+  RecordedFrames* const reader = runs->front().reader.get();
   auto selected = selectFrames(reader->times(), options.frames);
   if (!selected) return failAt("--from/--until", selected, console);
   const auto folder = makeFolder(options.folder);
@@ -44,7 +46,8 @@ ExitCode exportRun(const ExportOptions& options, const Console& console) {
 
   const RunFolder run{runFolderOf(options.run)};
   const fs::path trajectory = fs::is_directory(options.run) ? run.trajectory() : fs::path(options.run);
-  auto made = (*format)->open({reader->scene(), trajectory, reader->times().size(), *selected, folder->path});
+  auto made = (*format)->open({reader->scene(), trajectory, reader->times().size(), *selected, folder->path,
+                               runs->front().isForeign});
   if (!made) return console.fail(made.problems);
   Export& sink = **made;
   for (const std::size_t index : *selected) {
@@ -64,7 +67,7 @@ ExitCode exportRun(const ExportOptions& options, const Console& console) {
                                            {"frames", selected->size()},
                                            {"from", reader->times()[selected->front()]},
                                            {"until", reader->times()[selected->back()]}};
-    console.print(result.dump(2));
+    console.print(result.dump());
   }
   return ExitCode::done;
 }
@@ -74,7 +77,7 @@ ExitCode exportRun(const ExportOptions& options, const Console& console) {
 void addExportCommand(CLI::App& program, CommandContext context) {
   CLI::App* command = program.add_subcommand("export", "Write a recorded run in another program's format");
   auto options = std::make_shared<ExportOptions>();
-  command->add_option("run", options->run, "Folder of a run, or its trajectory.h5")
+  command->add_option("run", options->run, "Folder of a run, its trajectory.h5, or a file of another program")
       ->required()
       ->type_name("RUN");
   std::string formats;
@@ -85,6 +88,7 @@ void addExportCommand(CLI::App& program, CommandContext context) {
       ->required()
       ->type_name("DIR");
   addFrameSelection(*command, options->frames, "--until");
+  addRecordingOptions(*command, options->recording);
   command->add_flag("--json", options->json, "Print what was written as JSON");
   command->footer("Example:\n  bedmix export out/even --to vtk -o out/even-vtk");
   command->callback([options, context] { context.outcome = exportRun(*options, context.console); });

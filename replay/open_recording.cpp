@@ -6,6 +6,7 @@
 #include "replay/file_trouble.h"
 #include "replay/foreign/h5md_source.h"
 #include "replay/foreign/lammps_dump.h"
+#include "replay/foreign/vtk_series.h"
 #include "replay/hdf5_input.h"
 #include "replay/trajectory_layout.h"
 #include "replay/trajectory_reader.h"
@@ -27,7 +28,7 @@ namespace {
 using namespace std::string_view_literals;
 
 constexpr const char* whatThereIs =
-    "name the folder of a run, its trajectory.h5, or another program's H5MD file or LAMMPS dump";
+    "name the folder of a run, its trajectory.h5, or another program's H5MD file, LAMMPS dump or VTK points";
 
 /// Whether an H5MD file is of another program. Where HDF5 fails on it, TrajectoryReader says how.
 bool isForeign(const fs::path& file) {
@@ -54,6 +55,8 @@ std::optional<RecordingKind> kindOf(const fs::path& file) {
   in.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
   bytes.resize(static_cast<std::size_t>(in.gcount()));
   if (bytes.starts_with("ITEM:") || bytes.starts_with("\x1f\x8b"sv)) return RecordingKind::lammps;
+  if (bytes.starts_with("<?xml") || bytes.starts_with("<VTKFile") || bytes.starts_with("# vtk DataFile"))
+    return RecordingKind::vtk;
   if (!bytes.starts_with("\x89HDF\r\n\x1a\n"sv)) return std::nullopt;
   return isForeign(file) ? RecordingKind::h5md : RecordingKind::run;
 }
@@ -87,7 +90,8 @@ Result<Series> seriesIn(const fs::path& folder, const std::string& pattern, cons
     series.files.push_back(file);
   }
   if (series.files.empty()) return fileTrouble(path, fmt::format("holds no recording; {}", whatThereIs));
-  if (series.kind != RecordingKind::lammps && series.files.size() > 1)
+  const bool isFileAFrame = series.kind == RecordingKind::lammps || series.kind == RecordingKind::vtk;
+  if (!isFileAFrame && series.files.size() > 1)
     return fileTrouble(path, fmt::format("holds {} recordings, the first is {}; name one",
                                          series.files.size(), series.files.front().filename().string()));
   return series;
@@ -107,26 +111,26 @@ Result<Series> seriesOf(const fs::path& path) {
 }
 
 Result<std::unique_ptr<ForeignSource>> sourceOf(const Series& series, const ForeignOptions& options) {
-  return series.kind == RecordingKind::h5md ? H5mdSource::open(series.files.front(), options.group)
-                                            : openLammpsDump(series.files);
+  if (series.kind == RecordingKind::h5md) return H5mdSource::open(series.files.front(), options.group);
+  return series.kind == RecordingKind::vtk ? openVtkSeries(series.files) : openLammpsDump(series.files);
 }
 
 }  // namespace
 
-Result<Recording> openRecording(const fs::path& path, const ForeignOptions& options) {
+Result<OpenedRecording> openRecording(const fs::path& path, const ForeignOptions& options) {
   try {
     const Result<Series> series = seriesOf(path);
     if (!series) return series.problems;
     if (series->kind == RecordingKind::run) {
       Result<TrajectoryReader> run = TrajectoryReader::open(series->files.front());
       if (!run) return std::move(run.problems);
-      return Recording{series->kind, std::make_unique<TrajectoryReader>(std::move(*run))};
+      return OpenedRecording{series->kind, std::make_unique<TrajectoryReader>(std::move(*run))};
     }
     auto source = sourceOf(*series, options);
     if (!source) return std::move(source.problems);
     Result<ForeignFrames> frames = ForeignFrames::make(std::move(*source), path, options);
     if (!frames) return std::move(frames.problems);
-    return Recording{series->kind, std::make_unique<ForeignFrames>(std::move(*frames))};
+    return OpenedRecording{series->kind, std::make_unique<ForeignFrames>(std::move(*frames))};
   } catch (const std::system_error& e) {
     return fileTrouble(path, e.what());
   }

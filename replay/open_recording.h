@@ -9,9 +9,9 @@
 namespace bedmix {
 
 /// What a recording is, by its content.
-enum class RecordingKind { run, h5md, lammps };
+enum class RecordingKind { run, h5md, lammps, vtk };
 
-struct Recording {
+struct OpenedRecording {
   RecordingKind kind;
   std::unique_ptr<RecordedFrames> frames;
 };
@@ -19,6 +19,6 @@ struct Recording {
 /// Opens a run of bedmix, by its folder or its trajectory.h5, or what another program has written, for which
 /// the options are: a file or, where it writes a file a frame, their folder or a name with * in it. Fails on
 /// what is neither, not there, or of several kinds.
-Result<Recording> openRecording(const std::filesystem::path& path, const ForeignOptions& options);
+Result<OpenedRecording> openRecording(const std::filesystem::path& path, const ForeignOptions& options);
 
 }  // namespace bedmix

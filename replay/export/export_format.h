@@ -21,6 +21,7 @@ struct ExportInput {
   std::size_t recorded = 0;           // how many that holds
   std::vector<std::size_t> selected;  // the places there of those to come, in order
   std::filesystem::path folder;       // to write into; must be there
+  bool isForeign = false;             // whether the file is another program's
 };
 
 /// Frames in another program's format. Writes no file that is there already. Numbers are those of the frames:

@@ -106,6 +106,9 @@ Result<GrowingFile> openCollection(const std::filesystem::path& path) {
 }  // namespace
 
 Result<std::unique_ptr<Export>> XdmfExport::open(const ExportInput& input) {
+  if (input.isForeign)
+    return Diagnostic{{input.trajectory.string()},
+                      "is another program's file, and XDMF points into trajectories of bedmix; take vtk"};
   auto particles = openCollection(input.folder / "particles.xmf");
   if (!particles) return std::move(particles.problems);
   std::unique_ptr<XdmfExport> made(new XdmfExport(input, std::move(*particles)));

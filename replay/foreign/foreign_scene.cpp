@@ -67,6 +67,10 @@ Result<PlaneBox> bedOf(ForeignSource& source, const ForeignFrame& first, const P
                        double diameter, const std::string& file, const ForeignOptions& options) {
   if (options.bed) return *options.bed;
   if (const auto box = source.box(); box && isBedOf(view(*box), view, first)) return view(*box);
+  if (options.scene) {
+    const PlaneBox bed{{0.0, 0.0}, {options.scene->bed.width, options.scene->bed.height}};
+    if (isBedOf(bed, view, first)) return bed;
+  }
   Result<PlaneBox> extent = extentOf(source, view, file);
   if (!extent) return extent;
   const Vec2 radius{0.5 * diameter, 0.5 * diameter};

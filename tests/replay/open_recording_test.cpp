@@ -19,7 +19,7 @@ std::string dump(int step) {
 
 class OpenRecording : public testing::Test {
  protected:
-  Result<Recording> open(const std::string& name) const {
+  Result<OpenedRecording> open(const std::string& name) const {
     ForeignOptions options;
     options.timeStep = 1e-4;
     return openRecording(folder_ / name, options);
@@ -73,6 +73,22 @@ TEST_F(OpenRecording, ADumpAsAFileAFolderOrAPattern) {
   writeText(folder_ / "notes.md", "not a dump");
   expectDump("");
   expectDump("dump.*");
+}
+
+TEST_F(OpenRecording, ACollectionOfVtkFiles) {
+  const std::string points = fileText(std::filesystem::path(BEDMIX_SAMPLES) / "vtk/ascii.vtp");
+  writeText(folder_ / "a_0.vtp", points);
+  writeText(folder_ / "a_1.vtp", points);
+  writeText(folder_ / "all.pvd",
+            "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\"><Collection>"
+            "<DataSet timestep=\"0.5\" file=\"a_0.vtp\"/><DataSet timestep=\"0.75\" file=\"a_1.vtp\"/>"
+            "</Collection></VTKFile>\n");
+  ForeignOptions options;
+  options.tracerSpecies = 1;
+  const auto recording = openRecording(folder_ / "all.pvd", options);
+  ASSERT_TRUE(recording) << toString(recording.problems.front());
+  EXPECT_EQ(recording->kind, RecordingKind::vtk);
+  ASSERT_EQ(recording->frames->times().size(), 2u);
 }
 
 TEST_F(OpenRecording, WhatIsNoRecordingIsRefused) {
