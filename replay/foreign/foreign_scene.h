@@ -34,9 +34,9 @@ struct ForeignScene {
 /// rotate) are the file's. The count is at least the largest id and one more, as pictures expect. Size and
 /// corner of the bed are the options'; else the size is that of the options' scene, else both are those of
 /// the file's box, or else of the options' scene, if nine of ten particles lie in it, else of all places that
-/// particles ever have, and a radius around: then, and only then, all frames are read. The particles' density and contacts of a plain
-/// scene mean nothing. Fails where the diameter is not known, and where the scene is none that the reader of
-/// scenes takes.
+/// particles ever have, and a radius around: then, and only then, all frames are read. The particles' density
+/// and contacts of a plain scene mean nothing. Fails where the diameter is not known, and where the scene is
+/// none that the reader of scenes takes.
 Result<ForeignScene> foreignScene(ForeignSource& source, const ForeignFrame& first,
                                   const std::vector<double>& times, const std::string& file,
                                   const ForeignOptions& options);
