@@ -10,9 +10,9 @@
 
 namespace bedmix {
 
-inline constexpr Rgba ink = black;             // text, scale bar
-inline constexpr Rgba tracerColor{0, 0, 0};    // species 1
-inline constexpr Rgba restColor{0, 158, 115};  // species 0
+inline constexpr Rgba ink = black;               // text, scale bar
+inline constexpr Rgba tracerColor{0, 0, 0};      // species 1
+inline constexpr Rgba restColor{0, 158, 115};    // species 0
 inline constexpr Rgba lateColor{150, 150, 150};  // without a class: not there at the start
 inline constexpr Rgba velocityColor{230, 159, 0};
 inline constexpr Rgba gasColor{0, 114, 178};

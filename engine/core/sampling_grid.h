@@ -9,9 +9,9 @@
 
 namespace bedmix {
 
-/// Equal cells over the bed's width and height in which tracer is counted (Tian et al. 2007, Fig. 5); row-major,
-/// bottom row first. A particle on an edge belongs to the cell to its right or above, on the outermost edges to
-/// the last cell; one outside is in no cell.
+/// Equal cells over the bed's width and height in which tracer is counted (Tian et al. 2007, Fig. 5);
+/// row-major, bottom row first. A particle on an edge belongs to the cell to its right or above, on the
+/// outermost edges to the last cell; one outside is in no cell.
 struct SamplingGrid {
   int columns = 4;
   int rows = 15;

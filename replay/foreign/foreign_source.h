@@ -12,15 +12,15 @@
 #include <string>
 #include <vector>
 
-// Files of other programs. What they hold is taken to be in SI units. A reader of a format says what stands in
-// the file; foreign_frames.h makes of it a bed in the plane.
+// Files of other programs. What they hold is taken to be in SI units. A reader of a format says what stands
+// in the file; foreign_frames.h makes of it a bed in the plane.
 
 namespace bedmix {
 
 using Vec3d = std::array<double, 3>;
 
-/// Particles of a file at one instant, in its own coordinates, in its own order. What the file does not say is
-/// empty; what it says has as many entries as there are positions, all of them finite.
+/// Particles of a file at one instant, in its own coordinates, in its own order. What the file does not say
+/// is empty; what it says has as many entries as there are positions, all of them finite.
 struct ForeignFrame {
   std::vector<Vec3d> position;         // m; z = 0 where the file has two dimensions
   std::vector<Vec3d> velocity;         // m/s

@@ -98,7 +98,8 @@ TEST(Layering, TheWallClockIsReadInOnePlace) {
     }
 }
 
-/// Two types of one name in the namespace are one type to the linker, which then takes the destructor of either.
+/// Two types of one name in the namespace are one type to the linker, which then takes the destructor of
+/// either.
 TEST(Layering, TypesOfHeadersHaveNamesOfTheirOwn) {
   const std::regex type(R"(\n(?:struct|class|enum class) (\w+)[^;{\n]*\{)");
   std::map<std::string, std::string> fileOf;

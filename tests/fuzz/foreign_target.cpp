@@ -17,7 +17,8 @@ namespace bedmix::fuzz {
 const std::vector<std::string>& seeds() {
   static const std::vector<std::string> written = [] {
     std::vector<std::string> files;
-    for (const auto& entry : std::filesystem::directory_iterator(BEDMIX_SOURCE_DIR "/tests/fuzz/corpus/foreign")) {
+    for (const auto& entry :
+         std::filesystem::directory_iterator(BEDMIX_SOURCE_DIR "/tests/fuzz/corpus/foreign")) {
       std::ifstream in(entry.path(), std::ios::binary);
       files.emplace_back(std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>());
     }

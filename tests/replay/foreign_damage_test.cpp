@@ -29,7 +29,8 @@ TEST_F(ForeignDamage, NaNIsNamedByFrameAndParticle) {
 }
 
 TEST_F(ForeignDamage, TooFarForSinglePrecision) {
-  for (const hsize_t axis : {0, 1, 2}) overwrite("slab", "particles/fine/position/value", {4, 999, axis}, 1e39);
+  for (const hsize_t axis : {0, 1, 2})
+    overwrite("slab", "particles/fine/position/value", {4, 999, axis}, 1e39);
   overwrite("slab", "particles/fine/id/value", {4, 999}, 5000);
   expect("frame 4: particle 10001 is too far away", "slab");
 }
