@@ -58,7 +58,7 @@ Result<ForeignOptions> foreignOptions(const RecordingOptions& options) {
   foreign.tracerSpecies = options.tracerSpecies;
   if (!options.plane.empty()) {
     const auto* const name = std::find(planeNames.begin(), planeNames.end(), options.plane);
-    foreign.plane = static_cast<Plane>(name - planeNames.begin());
+    foreign.plane = static_cast<ViewPlane>(name - planeNames.begin());
   }
   if (!options.bed.empty()) {
     foreign.bed = PlaneBox{{options.bed[0], options.bed[1]}, {options.bed[2], options.bed[3]}};

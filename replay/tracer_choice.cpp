@@ -2,6 +2,7 @@
 #include "replay/tracer_choice.h"
 
 #include "engine/core/bed_statistics.h"
+#include "engine/core/near_miss.h"
 
 #include <fmt/format.h>
 
@@ -68,7 +69,9 @@ std::string known() {
 }
 
 Diagnostic refused(const std::string& text, const std::string& why) {
-  return {{"--tracer"}, fmt::format("\"{}\": {}; give {}", text, why, known())};
+  std::vector<std::string> rules;
+  for (const ModelInfo& rule : modelTable<TracerRule>) rules.emplace_back(rule.name);
+  return {{"--tracer"}, fmt::format("\"{}\": {}{}; give {}", text, why, didYouMean(text, rules), known())};
 }
 
 std::vector<std::uint8_t> inLayers(const Frame& frame, std::size_t count) {

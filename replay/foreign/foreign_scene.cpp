@@ -16,7 +16,7 @@ namespace {
 Result<PlaneView> viewOf(ForeignSource& source, const ForeignFrame& first, const std::string& file,
                          const ForeignOptions& options) {
   if (source.dimensions() == 2) {
-    if (options.plane.value_or(Plane::xy) == Plane::xy) return PlaneView(Plane::xy);
+    if (options.plane.value_or(ViewPlane::xy) == ViewPlane::xy) return PlaneView(ViewPlane::xy);
     return fileTrouble(file, "has two dimensions; leave out --plane");
   }
   if (options.plane) return PlaneView(*options.plane);

@@ -14,7 +14,7 @@ namespace bedmix {
 /// What a user says of a file of another program.
 struct ForeignOptions {
   std::optional<Scene> scene;                 // its bed, particles, sampling, window, pictures
-  std::optional<Plane> plane;                 // the one that is thinnest where it is not given
+  std::optional<ViewPlane> plane;             // the one that is thinnest where it is not given
   std::string group;                          // of particles, of H5MD; all where it is empty
   std::optional<double> diameter;             // m; the mean of the first frame's
   std::optional<double> timeStep;             // s; in place of the file's times

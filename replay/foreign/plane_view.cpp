@@ -12,11 +12,11 @@ void PlaneBox::include(Vec2 at) {
 
 // Right and up are not always the first two axes of a right-handed system: x and z have -y towards the
 // viewer.
-PlaneView::PlaneView(Plane plane)
-    : right_(plane == Plane::yz ? 1 : 0),
-      up_(plane == Plane::xy ? 1 : 2),
+PlaneView::PlaneView(ViewPlane plane)
+    : right_(plane == ViewPlane::yz ? 1 : 0),
+      up_(plane == ViewPlane::xy ? 1 : 2),
       away_(3 - right_ - up_),
-      handedness_(plane == Plane::xz ? -1.0 : 1.0) {}
+      handedness_(plane == ViewPlane::xz ? -1.0 : 1.0) {}
 
 ForeignBox boxAround(const std::vector<Vec3d>& positions) {
   ForeignBox box{positions.front(), positions.front()};
@@ -29,11 +29,11 @@ ForeignBox boxAround(const std::vector<Vec3d>& positions) {
   return box;
 }
 
-Plane flattestPlane(const ForeignBox& box) {
+ViewPlane flattestPlane(const ForeignBox& box) {
   const auto thickness = [&](std::size_t k) { return box.high[k] - box.low[k]; };
-  Plane flattest = Plane::xz;
-  if (thickness(2) < thickness(1)) flattest = Plane::xy;
-  if (thickness(0) < std::min(thickness(1), thickness(2))) flattest = Plane::yz;
+  ViewPlane flattest = ViewPlane::xz;
+  if (thickness(2) < thickness(1)) flattest = ViewPlane::xy;
+  if (thickness(0) < std::min(thickness(1), thickness(2))) flattest = ViewPlane::yz;
   return flattest;
 }
 

@@ -12,7 +12,7 @@
 namespace bedmix {
 
 /// The plane a bed lies in: its first axis points right, its second one up.
-enum class Plane { xy, xz, yz };
+enum class ViewPlane { xy, xz, yz };
 inline constexpr std::array<std::string_view, 3> planeNames{"xy", "xz", "yz"};
 
 /// An upright rectangle in a plane, m, in the coordinates of a file.
@@ -27,7 +27,7 @@ struct PlaneBox {
 /// How what lies in space is seen in a plane.
 class PlaneView {
  public:
-  explicit PlaneView(Plane plane);
+  explicit PlaneView(ViewPlane plane);
 
   Vec2 operator()(const Vec3d& v) const { return {v[right_], v[up_]}; }
   PlaneBox operator()(const ForeignBox& box) const { return {(*this)(box.low), (*this)(box.high)}; }
@@ -45,6 +45,6 @@ class PlaneView {
 ForeignBox boxAround(const std::vector<Vec3d>& positions);
 
 /// The plane seen along the axis in which the box is thinnest; of equal ones y before z before x.
-Plane flattestPlane(const ForeignBox& box);
+ViewPlane flattestPlane(const ForeignBox& box);
 
 }  // namespace bedmix

@@ -129,7 +129,7 @@ TEST_F(Commands, CompletionScriptsKnowEveryOption) {
       "COMP_WORDS=(bedmix re) COMP_CWORD=1 && _bedmix && echo \"${COMPREPLY[*]}\" && "
       "COMP_WORDS=(bedmix check tian-2007-e) COMP_CWORD=2 && _bedmix && echo \"${COMPREPLY[*]}\"");
   EXPECT_EQ(o.exitCode, 0) << o.err;
-  EXPECT_EQ(o.out, "--threads\nreplay render report\ntian-2007-even\n");
+  EXPECT_EQ(o.out, "--threads\nreplay render report recover\ntian-2007-even\n");
   for (const char* shellName : {"zsh", "fish"}) {
     const Outcome script = bedmix({"completion", shellName});
     EXPECT_EQ(script.exitCode, 0);

@@ -101,7 +101,7 @@ TEST(Layering, TheWallClockIsReadInOnePlace) {
 /// Two types of one name in the namespace are one type to the linker, which then takes the destructor of
 /// either.
 TEST(Layering, TypesOfHeadersHaveNamesOfTheirOwn) {
-  const std::regex type(R"(\n(?:struct|class|enum class) (\w+)[^;{\n]*\{)");
+  const std::regex type(R"(\n(?:struct|class|enum class) (?:alignas\(\w+\) )?(\w+)[^;{\n]*\{)");
   std::map<std::string, std::string> fileOf;
   for (const std::string part : {"engine", "render", "replay", "app"})
     for (const auto& [file, targets] : includesUnder(part)) {

@@ -211,12 +211,12 @@ TEST_F(ForeignH5md, ASceneGivesBedAndSamplingButNoGas) {
 
 TEST(PlaneView, SpinIsCounterClockwiseAsItIsSeen) {
   // The velocity w x r of a point right of the axis is up, where w is seen to turn counter-clockwise.
-  for (const Plane plane : {Plane::xy, Plane::xz, Plane::yz}) {
+  for (const ViewPlane plane : {ViewPlane::xy, ViewPlane::xz, ViewPlane::yz}) {
     const PlaneView view(plane);
     for (std::size_t k = 0; k < 3; ++k) {
       Vec3d w{}, r{};
       w[k] = 2.0;
-      r[plane == Plane::yz ? 1 : 0] = 1.0;
+      r[plane == ViewPlane::yz ? 1 : 0] = 1.0;
       const Vec3d v{w[1] * r[2] - w[2] * r[1], w[2] * r[0] - w[0] * r[2], w[0] * r[1] - w[1] * r[0]};
       EXPECT_EQ(view.spin(w), view(v).y);
     }
@@ -225,10 +225,10 @@ TEST(PlaneView, SpinIsCounterClockwiseAsItIsSeen) {
 
 TEST(PlaneView, LooksAlongTheThinnestDirection) {
   const auto plane = [](double x, double y, double z) { return flattestPlane({{}, {x, y, z}}); };
-  EXPECT_EQ(plane(1.0, 0.1, 2.0), Plane::xz);
-  EXPECT_EQ(plane(1.0, 2.0, 0.1), Plane::xy);
-  EXPECT_EQ(plane(0.1, 2.0, 1.0), Plane::yz);
-  EXPECT_EQ(plane(1.0, 1.0, 1.0), Plane::xz);
+  EXPECT_EQ(plane(1.0, 0.1, 2.0), ViewPlane::xz);
+  EXPECT_EQ(plane(1.0, 2.0, 0.1), ViewPlane::xy);
+  EXPECT_EQ(plane(0.1, 2.0, 1.0), ViewPlane::yz);
+  EXPECT_EQ(plane(1.0, 1.0, 1.0), ViewPlane::xz);
 }
 
 }  // namespace
