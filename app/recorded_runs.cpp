@@ -119,9 +119,16 @@ std::vector<std::string> runTitles(std::span<const RecordedRun> runs) {
 }
 
 Result<Image> sheetOf(std::span<RecordedRun> runs, std::vector<double> times, const Style& style) {
-  double end = runs.front().end();
-  for (const RecordedRun& run : runs) end = std::min(end, run.end());
-  if (times.empty()) times = defaultSheetTimes(end);
+  if (times.empty()) {
+    double begin = runs.front().begin(), end = runs.front().end();
+    for (const RecordedRun& run : runs) {
+      begin = std::max(begin, run.begin());
+      end = std::min(end, run.end());
+    }
+    times = defaultSheetTimes(end);
+    for (double& time : times) time = std::max(time, begin);
+    times.erase(std::unique(times.begin(), times.end()), times.end());
+  }
 
   std::vector<SheetRun> rows;
   std::vector<Diagnostic> problems;

@@ -26,7 +26,8 @@ struct RecordedRun {
   std::unique_ptr<RecordedFrames> reader;
 
   const Scene& scene() const { return reader->scene(); }
-  double end() const { return reader->times().back(); }  // s
+  double begin() const { return reader->times().front(); }  // s
+  double end() const { return reader->times().back(); }     // s
   /// Where `bedmix replay` puts what it derives, unless it is told.
   std::filesystem::path replayFolder() const { return isForeign ? folder : folder / "replay"; }
 };
@@ -39,7 +40,8 @@ Result<std::vector<RecordedRun>> openRuns(std::span<const std::string> runs, con
 /// the same.
 std::vector<std::string> runTitles(std::span<const RecordedRun> runs);
 
-/// The sheet of runs at the same times, read frame by frame; without times at those that suit the shortest.
+/// The sheet of runs at the same times, read frame by frame; without times at those that suit the shortest
+/// and that all have begun by.
 /// Several runs are lettered and titled. A time that a run does not have is a problem of `--times`.
 Result<Image> sheetOf(std::span<RecordedRun> runs, std::vector<double> times, const Style& style);
 

@@ -150,7 +150,7 @@ class Report {
   /// Each run at the moment of velocities and cells, or at its end.
   Result<Done> moments(const Style& style, const char* name, const char* what) {
     for (RecordedRun& run : runs_) {
-      const double time = std::min(momentShown, run.end());
+      const double time = std::clamp(momentShown, run.begin(), run.end());
       const std::string caption = about(run, fmt::format("{} at {:g} s.", what, time));
       if (auto done =
               beds(std::span(&run, 1), {time}, style, fileOf(run, name), titles_[indexOf(run)], caption);
