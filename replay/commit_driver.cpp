@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "replay/commit_driver.h"
 
+#include "replay/file_driver.h"
+
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
@@ -21,18 +23,15 @@ struct HeldWrite {
   std::vector<unsigned char> bytes;
 };
 
-struct CommitFile {
-  H5FD_t base{};  // first, as HDF5 knows a file by it
-  int descriptor = -1;
-  haddr_t allocated = 0;  // end of what HDF5 has given out
-  haddr_t finished = 0;   // end of what the last flush has written
+struct CommitFile : DriverFile {
+  haddr_t finished = 0;  // end of what the last flush has written
   std::vector<HeldWrite> held;
   bool failed = false;
   bool rehearses = false;
 };
 
-CommitFile& of(H5FD_t* file) { return *reinterpret_cast<CommitFile*>(file); }
-const CommitFile& of(const H5FD_t* file) { return *reinterpret_cast<const CommitFile*>(file); }
+CommitFile& of(H5FD_t* file) { return fileOf<CommitFile>(file); }
+const CommitFile& of(const H5FD_t* file) { return fileOf<CommitFile>(file); }
 
 /// Hands the system's reason to HDF5's error stack.
 herr_t refuse(const char* reason) {
@@ -162,17 +161,9 @@ herr_t closeFile(H5FD_t* base) {
 }
 
 H5FD_class_t makeClass() {
-  H5FD_class_t driver{};
-  driver.name = "bedmix commit";
-  driver.maxaddr = HADDR_MAX / 2;
-  driver.fc_degree = H5F_CLOSE_WEAK;
+  H5FD_class_t driver = commonDriver<CommitFile>("bedmix commit");
   driver.open = openFile;
   driver.close = closeFile;
-  driver.query = [](const H5FD_t*, unsigned long* features) -> herr_t { return *features = 0, 0; };
-  driver.get_eoa = [](const H5FD_t* file, H5FD_mem_t) { return of(file).allocated; };
-  driver.set_eoa = [](H5FD_t* file, H5FD_mem_t, haddr_t end) -> herr_t {
-    return of(file).allocated = end, 0;
-  };
   driver.get_eof = [](const H5FD_t* file, H5FD_mem_t) -> haddr_t {
     struct stat status {};
     return fstat(of(file).descriptor, &status) == 0 ? static_cast<haddr_t>(status.st_size) : HADDR_UNDEF;
@@ -181,7 +172,6 @@ H5FD_class_t makeClass() {
   driver.write = writeFile;
   driver.flush = flushFile;
   driver.truncate = extendFile;
-  std::fill(std::begin(driver.fl_map), std::end(driver.fl_map), H5FD_MEM_SUPER);
   return driver;
 }
 

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "replay/salvage_driver.h"
 
+#include "replay/file_driver.h"
+
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <fcntl.h>
-#include <iterator>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -17,16 +18,13 @@ namespace {
 constexpr haddr_t flagsAt = 20, endAt = 40;
 constexpr std::size_t flagsSize = 4;
 
-struct SalvagedFile {
-  H5FD_t base{};  // first, as HDF5 knows a file by it
-  int descriptor = -1;
-  haddr_t size = 0;       // there
-  haddr_t end = 0;        // that the superblock is made to say
-  haddr_t allocated = 0;  // that HDF5 takes it to have
+struct SalvagedFile : DriverFile {
+  haddr_t size = 0;  // there
+  haddr_t end = 0;   // that the superblock is made to say
 };
 
-SalvagedFile& of(H5FD_t* file) { return *reinterpret_cast<SalvagedFile*>(file); }
-const SalvagedFile& of(const H5FD_t* file) { return *reinterpret_cast<const SalvagedFile*>(file); }
+SalvagedFile& of(H5FD_t* file) { return fileOf<SalvagedFile>(file); }
+const SalvagedFile& of(const H5FD_t* file) { return fileOf<SalvagedFile>(file); }
 
 bool readAll(int descriptor, unsigned char* into, std::size_t size, haddr_t at) {
   std::memset(into, 0xff, size);
@@ -82,21 +80,12 @@ herr_t closeFile(H5FD_t* base) {
 }
 
 H5FD_class_t makeClass() {
-  H5FD_class_t driver{};
-  driver.name = "bedmix salvage";
-  driver.maxaddr = HADDR_MAX / 2;
-  driver.fc_degree = H5F_CLOSE_WEAK;
+  H5FD_class_t driver = commonDriver<SalvagedFile>("bedmix salvage");
   driver.open = openFile;
   driver.close = closeFile;
-  driver.query = [](const H5FD_t*, unsigned long* features) -> herr_t { return *features = 0, 0; };
-  driver.get_eoa = [](const H5FD_t* file, H5FD_mem_t) { return of(file).allocated; };
-  driver.set_eoa = [](H5FD_t* file, H5FD_mem_t, haddr_t end) -> herr_t {
-    return of(file).allocated = end, 0;
-  };
   driver.get_eof = [](const H5FD_t* file, H5FD_mem_t) { return of(file).end; };
   driver.read = readFile;
   driver.write = [](H5FD_t*, H5FD_mem_t, hid_t, haddr_t, std::size_t, const void*) -> herr_t { return -1; };
-  std::fill(std::begin(driver.fl_map), std::end(driver.fl_map), H5FD_MEM_SUPER);
   return driver;
 }
 

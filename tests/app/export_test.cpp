@@ -34,6 +34,17 @@ TEST_F(CommandsExport, EachFormatSaysWhatItHasWritten) {
   EXPECT_TRUE(contains(readFile(folder / "out/gas.xmf"), ">trajectory.h5:/bedmix/gas/voidage/value<"));
 }
 
+TEST_F(CommandsExport, WhatBeginsLateIsDrawnFromThere) {
+  ASSERT_EQ(bedmix({"run", "tiny", "-o", "out"}).exitCode, 0);
+  ASSERT_EQ(bedmix({"export", "out", "--to", "lammps", "-o", "dump", "--from", "0.03"}).exitCode, 0);
+  const std::string dump = "dump/particles.lammpstrj";
+  const Outcome sheet = bedmix({"sheet", dump, "-o", "late.png"});
+  EXPECT_EQ(sheet.exitCode, 0) << sheet.err;
+  const Outcome report = bedmix({"report", dump, "-o", "late"});
+  EXPECT_EQ(report.exitCode, 0) << report.err;
+  EXPECT_EQ(bedmix({"sheet", dump, "-o", "early.png", "--times", "0"}).exitCode, 2);
+}
+
 TEST_F(CommandsExport, WhatIsWrongIsNamed) {
   ASSERT_EQ(bedmix({"run", "tiny", "-o", "out"}).exitCode, 0);
   const Outcome unknown = bedmix({"export", "out", "--to", "vkt", "-o", "x"});
