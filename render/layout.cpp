@@ -111,8 +111,11 @@ PictureLayout layoutWithChart(std::span<const Scene> scenes, const Box& beds, co
 
 }  // namespace
 
-PictureLayout layoutPicture(std::span<const Scene> scenes, Size size, const Style& style) {
-  const Box whole{0.0f, 0.0f, static_cast<float>(size.width), static_cast<float>(size.height)};
+Box wholeOf(Size size) {
+  return {0.0f, 0.0f, static_cast<float>(size.width), static_cast<float>(size.height)};
+}
+
+PictureLayout layoutPicture(std::span<const Scene> scenes, const Box& whole, const Style& style) {
   if (!style.layers.has(Layer::curve)) {
     const float em = textHeight(whole.width() / static_cast<float>(scenes.size()), whole.height());
     return {layoutBeds(scenes, whole, style, em), {}, em};
@@ -126,9 +129,9 @@ PictureLayout layoutPicture(std::span<const Scene> scenes, Size size, const Styl
     for (float part = smallestChart; part < largestChart; part += chartStep) {
       Box beds = whole, chart = whole;
       if (isBeside)
-        beds.right = chart.left = std::round((1.0f - part) * whole.width());
+        beds.right = chart.left = std::round(whole.left + (1.0f - part) * whole.width());
       else
-        beds.bottom = chart.top = std::round((1.0f - part) * whole.height());
+        beds.bottom = chart.top = std::round(whole.top + (1.0f - part) * whole.height());
       PictureLayout layout = layoutWithChart(scenes, beds, chart, style, em);
       const bool isReadable = layout.chart.width() >= narrowestChart * layout.em &&
                               layout.chart.height() >= lowestChart * layout.em;
@@ -139,7 +142,7 @@ PictureLayout layoutPicture(std::span<const Scene> scenes, Size size, const Styl
 }
 
 Layout layoutPicture(const Scene& scene, Size size, const Style& style) {
-  return layoutPicture(std::span(&scene, 1), size, style).beds.front();
+  return layoutPicture(std::span(&scene, 1), wholeOf(size), style).beds.front();
 }
 
 double viewHeight(const Scene& scene) {

@@ -30,9 +30,14 @@ struct PictureLayout {
 };
 
 /// Whole beds and, with the layers, the HUD above each or to its left, and the chart to the right of all or
-/// below, whichever leaves the beds larger.
-PictureLayout layoutPicture(std::span<const Scene> scenes, Size size, const Style& style);
-/// The same of one bed, of which it gives the layout.
+/// below, whichever leaves the beds larger, in a part of a picture.
+PictureLayout layoutPicture(std::span<const Scene> scenes, const Box& whole, const Style& style);
+/// The whole of a picture.
+Box wholeOf(Size size);
+inline PictureLayout layoutPicture(std::span<const Scene> scenes, Size size, const Style& style) {
+  return layoutPicture(scenes, wholeOf(size), style);
+}
+/// The same of one bed in a whole picture, of which it gives the layout.
 Layout layoutPicture(const Scene& scene, Size size, const Style& style);
 
 /// The height that pictures of the bed show, m: a tenth more than the bed where its top is open, which

@@ -27,22 +27,62 @@ std::string shortened(std::string name) {
   return name;
 }
 
-}  // namespace
-
-struct Painter::State {
+/// The beds of a picture, and all that follows from them and the options.
+struct Composition {
   std::vector<Scene> scenes;
   std::vector<std::string> names;
-  std::vector<IndexCurve> curves;
   std::vector<SamplingGrid> grids;
+  std::vector<IndexCurve> curves;
   std::vector<History> histories;
   Size size;
   Style style;
   PictureLayout layout;
   double until = 0.0;  // s, the longest of the runs
+};
+
+Result<Composition> compose(std::vector<PaintedBed> beds, const PaintOptions& options) {
+  Composition made;
+  for (PaintedBed& bed : beds) {
+    made.scenes.push_back(std::move(bed.scene));
+    made.names.push_back(shortened(std::move(bed.name)));
+  }
+  made.style = options.style;
+  made.size = options.size == Size{} ? defaultSize(made.scenes, made.style) : options.size;
+  std::vector<Diagnostic> problems = sizeProblems(made.size);
+  for (const Scene& scene : made.scenes)
+    for (Diagnostic& problem : missingFor(scene, made.style)) problems.push_back(std::move(problem));
+  if (!problems.empty()) return problems;
+  made.layout = layoutPicture(made.scenes, options.part.value_or(wholeOf(made.size)), made.style);
+  if (made.style.layers.has(Layer::counts))
+    for (std::size_t i = 0; i < made.scenes.size(); ++i)
+      for (Diagnostic& problem : countsProblems(made.scenes[i], made.layout.beds[i].camera, made.layout.em))
+        problems.push_back(std::move(problem));
+  if (!problems.empty()) return problems;
+  for (const Scene& scene : made.scenes) {
+    made.grids.push_back(samplingGrid(scene));
+    made.histories.emplace_back(scene, made.style);
+    made.until = std::max(made.until, scene.time.duration);
+  }
+  made.curves.resize(made.scenes.size());
+  return made;
+}
+
+}  // namespace
+
+struct Painter::State : Composition {
   Surface surface;
   Hud hud;
   DrawList bed, overlay, chart;
 
+  State(Composition composition, Surface drawing)
+      : Composition(std::move(composition)), surface(std::move(drawing)), hud(layout.em) {
+    take();
+  }
+  /// The size and the HUD's glyphs, where they are new.
+  void take() {
+    surface.setGlyphs(hud.glyphs());
+    overlay.clip = wholeOf(size);
+  }
   void drawOverlay(std::span<const Frame* const> frames);
 };
 
@@ -52,62 +92,38 @@ Painter::Painter(Painter&&) noexcept = default;
 Painter& Painter::operator=(Painter&&) noexcept = default;
 
 Result<Painter> Painter::create(std::vector<PaintedBed> beds, const PaintOptions& options) {
-  std::vector<Scene> scenes;
-  std::vector<std::string> names;
-  for (PaintedBed& bed : beds) {
-    scenes.push_back(std::move(bed.scene));
-    names.push_back(shortened(std::move(bed.name)));
-  }
-  const Size size = options.size == Size{} ? defaultSize(scenes, options.style) : options.size;
-  std::vector<Diagnostic> problems = sizeProblems(size);
-  for (const Scene& scene : scenes)
-    for (Diagnostic& problem : missingFor(scene, options.style)) problems.push_back(std::move(problem));
-  if (!problems.empty()) return problems;
-  PictureLayout layout = layoutPicture(scenes, size, options.style);
-  if (options.style.layers.has(Layer::counts))
-    for (std::size_t i = 0; i < scenes.size(); ++i)
-      for (Diagnostic& problem : countsProblems(scenes[i], layout.beds[i].camera, layout.em))
-        problems.push_back(std::move(problem));
-  if (!problems.empty()) return problems;
+  Result<Composition> composition = compose(std::move(beds), options);
+  if (!composition) return composition.problems;
   Result<Surface> surface = Surface::create(options.threads);
   if (!surface) return surface.problems;
-
-  std::vector<SamplingGrid> grids;
-  std::vector<History> histories;
-  double until = 0.0;
-  for (const Scene& scene : scenes) {
-    grids.push_back(samplingGrid(scene));
-    histories.emplace_back(scene, options.style);
-    until = std::max(until, scene.time.duration);
-  }
-  Hud hud(layout.em);
-  std::vector<IndexCurve> curves(scenes.size());
-  auto state = std::make_unique<State>(State{std::move(scenes),
-                                             std::move(names),
-                                             std::move(curves),
-                                             std::move(grids),
-                                             std::move(histories),
-                                             size,
-                                             options.style,
-                                             std::move(layout),
-                                             until,
-                                             std::move(*surface),
-                                             std::move(hud),
-                                             {},
-                                             {},
-                                             {}});
-  state->surface.setGlyphs(state->hud.glyphs());
-  state->overlay.clip = {0.0f, 0.0f, static_cast<float>(size.width), static_cast<float>(size.height)};
-  return Painter(std::move(state));
+  return Painter(std::make_unique<State>(std::move(*composition), std::move(*surface)));
 }
 
 Result<Painter> Painter::create(const Scene& scene, const PaintOptions& options) {
   return create({{scene, ""}}, options);
 }
 
+Result<Done> Painter::change(std::vector<PaintedBed> beds, const PaintOptions& options) {
+  State& s = *state_;
+  Result<Composition> composition = compose(std::move(beds), options);
+  if (!composition) return composition.problems;
+  const bool isSameText = composition->layout.em == s.layout.em;
+  if (composition->grids == s.grids) composition->curves = std::move(s.curves);
+  static_cast<Composition&>(s) = std::move(*composition);
+  if (!isSameText) s.hud = Hud(s.layout.em);
+  s.take();
+  return Done{};
+}
+
+void Painter::setPanelGlyphs(const GlyphSheet& glyphs) {
+  state_->surface.setGlyphs(glyphs, Surface::Ui::panel);
+}
+
 Size Painter::size() const { return state_->size; }
 
 std::size_t Painter::beds() const { return state_->scenes.size(); }
+
+const PictureLayout& Painter::layout() const { return state_->layout; }
 
 void Painter::observe(std::size_t bed, const Frame& frame) {
   State& s = *state_;
@@ -127,7 +143,7 @@ void Painter::State::drawOverlay(std::span<const Frame* const> frames) {
               paletteOn(style.ground));
 }
 
-Result<Done> Painter::paint(std::span<const Frame* const> frames, Image& into) {
+Result<Done> Painter::paint(std::span<const Frame* const> frames, Image& into, const PaintOverlay& over) {
   State& s = *state_;
   for (std::size_t i = 0; i < s.scenes.size(); ++i)
     if (std::vector<Diagnostic> missing = missingFor(s.scenes[i], *frames[i], s.style); !missing.empty())
@@ -147,6 +163,8 @@ Result<Done> Painter::paint(std::span<const Frame* const> frames, Image& into) {
   s.surface.draw(s.overlay);
   s.surface.draw(s.chart);
   s.surface.draw(s.hud.mesh(s.size, s.overlay.texts));
+  if (over.marks) s.surface.draw(*over.marks);
+  if (over.panel) s.surface.draw(*over.panel, Surface::Ui::panel);
   s.surface.end();
   return Done{};
 }

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <initializer_list>
 #include <new>
@@ -49,8 +50,8 @@ struct Surface::State {
   Gl gl;
   Pipeline triangles, points, discs, lines, ui;
   Buffer uiIndices;
-  GLuint glyphs = 0;
-  GLuint canvas = 0, pixels = 0;  // what is drawn into, and its memory
+  std::array<GLuint, 2> glyphs{};  // textures, by Ui
+  GLuint canvas = 0, pixels = 0;   // what is drawn into, and its memory
   Size canvasSize;
   Image* image = nullptr;
   float largestPoint = 0.0f;  // px, side of the largest square OpenGL draws as a point
@@ -216,17 +217,17 @@ Result<Surface> Surface::create(int threads, GlSource source) {
   float pointSizes[2]{};
   gl.GetFloatv(GL_POINT_SIZE_RANGE, pointSizes);
   state->largestPoint = pointSizes[1];
-  gl.GenTextures(1, &state->glyphs);
+  gl.GenTextures(static_cast<GLsizei>(state->glyphs.size()), state->glyphs.data());
   gl.GenFramebuffers(1, &state->canvas);
   gl.GenRenderbuffers(1, &state->pixels);
   state->context->release();
   return Surface(std::move(state));
 }
 
-void Surface::setGlyphs(const GlyphSheet& sheet) {
+void Surface::setGlyphs(const GlyphSheet& sheet, Ui ui) {
   state_->context->makeCurrent();
   const Gl& gl = state_->gl;
-  gl.BindTexture(GL_TEXTURE_2D, state_->glyphs);
+  gl.BindTexture(GL_TEXTURE_2D, state_->glyphs[static_cast<std::size_t>(ui)]);
   gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
   gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
   gl.PixelStorei(GL_UNPACK_ALIGNMENT, 1);
@@ -259,9 +260,10 @@ void Surface::draw(const DrawList& list) {
     s.gl.DrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, static_cast<GLsizei>(list.lines.size()));
 }
 
-void Surface::draw(const UiMesh& mesh) {
+void Surface::draw(const UiMesh& mesh, Ui ui) {
   State& s = *state_;
   if (!s.use<UiVertex>(s.ui, mesh.vertices)) return;
+  s.gl.BindTexture(GL_TEXTURE_2D, s.glyphs[static_cast<std::size_t>(ui)]);
   s.fill(s.uiIndices, GL_ELEMENT_ARRAY_BUFFER, mesh.indices.data(),
          mesh.indices.size() * sizeof(mesh.indices[0]));
   for (const UiCommand& command : mesh.commands) {

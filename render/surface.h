@@ -16,20 +16,23 @@ namespace bedmix {
 /// into the caller's image. Used by one thread at a time.
 class Surface {
  public:
+  /// Who has glyphs of its own.
+  enum class Ui { hud, panel };
+
   /// `threads`: see createGlContext.
   static Result<Surface> create(int threads, GlSource source = glSource());
   ~Surface();
   Surface(Surface&&) noexcept;
   Surface& operator=(Surface&&) noexcept;
 
-  void setGlyphs(const GlyphSheet& glyphs);
+  void setGlyphs(const GlyphSheet& glyphs, Ui ui = Ui::hud);
 
   /// A picture: begin, any number of draws one over the other, end. `image` has its size and must stay where
   /// it is until end(). The texts of a draw list are not drawn here but by the HUD. begin throws
   /// std::bad_alloc where OpenGL has no memory for the size.
   void begin(Image& image, Rgba ground);
   void draw(const DrawList& list);
-  void draw(const UiMesh& mesh);
+  void draw(const UiMesh& mesh, Ui ui = Ui::hud);
   void end();
 
   /// Where OpenGL comes from, name and version of the rasterizer.

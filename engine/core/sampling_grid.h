@@ -20,6 +20,7 @@ struct SamplingGrid {
   double height = 0.0;    // m
 
   std::size_t cells() const { return static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows); }
+  bool operator==(const SamplingGrid&) const = default;
 };
 SamplingGrid samplingGrid(const Scene& scene);
 

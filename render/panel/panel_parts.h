@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "render/panel/panel_action.h"
+#include "render/panel/panel_model.h"
+
+#include <imgui.h>
+
+#include <string>
+#include <vector>
+
+// The sections of the panel, and what they are made of. Each draws its part of the model with Dear ImGui and
+// adds what the person wants. Of this folder's own.
+
+namespace bedmix {
+
+using PanelActions = std::vector<PanelAction>;
+
+void transportSection(const PanelModel& model, PanelActions& actions);
+void gasSection(const PanelModel& model, PanelActions& actions);
+void chartSection(const PanelModel& model, PanelActions& actions);
+void pictureSection(const PanelModel& model, PanelActions& actions);
+void samplingSection(const PanelModel& model, PanelActions& actions);
+void tracerSection(const PanelModel& model, PanelActions& actions);
+void particleSection(const PanelModel& model, PanelActions& actions);
+void numbersSection(const PanelModel& model, PanelActions& actions);
+void parametersSection(const PanelModel& model, PanelActions& actions);
+void savingSection(const PanelModel& model, PanelActions& actions);
+
+/// The colour as ImGui wants it.
+inline ImU32 packed(Rgba c) { return IM_COL32(c.r, c.g, c.b, c.a); }
+
+/// What follows until endLocked() cannot be used where there is a reason, which the pointer brings up.
+void beginLocked(std::string_view why);
+void endLocked(std::string_view why);
+/// A text that comes up over the last item.
+void explain(std::string_view text);
+/// Two columns of names and values.
+void factTable(const char* id, const std::vector<PanelFact>& facts);
+void text(std::string_view text);
+/// In the colour of what is wrong, over several lines where it is long.
+void troubleText(const std::string& text);
+
+}  // namespace bedmix
