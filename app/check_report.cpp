@@ -131,8 +131,7 @@ class Report {
   }
 
   void gasStep(const GasSettings& settings) {
-    double fastest = 0.0;
-    for (const Inlet& inlet : settings.inlets) fastest = std::max(fastest, inletVelocity(scene_, inlet));
+    const double fastest = fastestInlet(scene_);
     const double smallest = smallestCellHeight(makeGasGrid(scene_));
     const double longest = longestGasStep(scene_);
     if (settings.step.isAutomatic()) {

@@ -7,7 +7,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <sstream>
 #include <string>
 #include <utility>
 #include <vector>
@@ -16,23 +15,11 @@ namespace bedmix {
 
 namespace {
 
-/// Path and value of every setting that a run depends on, as in the text of a scene.
-std::vector<std::pair<std::string, std::string>> settingsOf(Scene scene) {
+/// Every setting that a run depends on.
+std::vector<SceneSetting> settingsOf(Scene scene) {
   scene.time.duration = 0.0;
   scene.pictures.reset();
-  std::vector<std::pair<std::string, std::string>> settings;
-  std::istringstream text(writeScene(scene));
-  std::string table;
-  for (std::string line; std::getline(text, line);) {
-    const std::size_t equals = line.find(" = ");
-    if (line.starts_with('['))
-      table = line.substr(line.find_first_not_of('['), line.find(']') - line.find_first_not_of('[')) + '.';
-    else if (equals != std::string::npos)
-      settings.emplace_back(
-          table + line.substr(0, equals),
-          line.substr(equals + 3, line.find_last_not_of(' ', line.rfind("  # ")) - equals - 2));
-  }
-  return settings;
+  return sceneSettings(scene);
 }
 
 /// How many frames a run of the scene has recorded by a step; its last may come early.
@@ -69,15 +56,15 @@ std::optional<Diagnostic> sceneDifference(const Scene& recorded, const Scene& as
   const auto [was, is] = std::mismatch(then.begin(), then.end(), now.begin(), now.end());
   if (was == then.end() && is == now.end()) return std::nullopt;
   const auto has = [](const auto& settings, const std::string& path) {
-    return std::any_of(settings.begin(), settings.end(), [&](const auto& s) { return s.first == path; });
+    return std::any_of(settings.begin(), settings.end(), [&](const auto& s) { return s.path == path; });
   };
   std::string what;
-  if (was != then.end() && is != now.end() && was->first == is->first)
-    what = fmt::format("{} is {}, but {} in the recorded run", is->first, is->second, was->second);
-  else if (is == now.end() || (was != then.end() && !has(now, was->first)))
-    what = fmt::format("{} is {} in the recorded run, and missing here", was->first, was->second);
+  if (was != then.end() && is != now.end() && was->path == is->path)
+    what = fmt::format("{} is {}, but {} in the recorded run", is->path, is->value, was->value);
+  else if (is == now.end() || (was != then.end() && !has(now, was->path)))
+    what = fmt::format("{} is {} in the recorded run, and missing here", was->path, was->value);
   else
-    what = fmt::format("{} is {}, but not there in the recorded run", is->first, is->second);
+    what = fmt::format("{} is {}, but not there in the recorded run", is->path, is->value);
   return Diagnostic{
       {"--resume"},
       what + "; give the scene, --set and --seed of that run, only --until and [pictures] may be others"};

@@ -339,7 +339,30 @@ std::optional<std::string> Simulation::advance(std::int64_t steps) {
 void Simulation::setInlets(const std::vector<Inlet>& inlets) {
   State& s = *state_;
   s.scene.gas->inlets = inlets;
-  s.gas->solver.setInletFlux(makeGasGrid(s.scene).inletFlux);
+  const std::vector<double> flux = makeGasGrid(s.scene).inletFlux;
+  if (flux == s.gas->solver.grid().inletFlux) return;
+  s.gas->solver.setInletFlux(flux);
+  if (s.gas->chosenStep) s.gas->chosenStep->expect(s.gas->solver, fastestInlet(s.scene));
+}
+
+bool Simulation::steer(const Scene& scene) {
+  StateWriter out(0);
+  save(out);
+  const std::vector<std::byte> bytes = out.take();
+  StateReader in(bytes);
+  std::optional<Simulation> next = make(scene, in, state_->team->size());
+  if (!next || !in.done()) return false;
+  if (scene.gas) next->setInlets(scene.gas->inlets);
+  *this = std::move(*next);
+  return true;
+}
+
+void Simulation::setTracer(TracerRule rule) {
+  State& s = *state_;
+  s.scene.tracer.rule = rule;
+  std::vector<Vec2f> position;
+  for (const Vec2 at : inOrderOfIds(s.solver->particles()).position) position.push_back(toFloat(at));
+  s.species = tagTracer(rule, position, s.scene.bed.width);
 }
 
 bool Simulation::gasFailed() const { return state_->gasFailed; }

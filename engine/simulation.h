@@ -72,6 +72,11 @@ class Simulation {
   /// Changes what the gas enters through, from the next gas step on. The scene must have gas and the inlets
   /// must fit its floor.
   void setInlets(const std::vector<Inlet>& inlets);
+  /// Goes on by another scene, which steeredScene() has made of its own. Where both are the same, so is what
+  /// comes, to the bit. False, and nothing has changed, where it could not be advanced further anyway.
+  [[nodiscard]] bool steer(const Scene& scene);
+  /// Chooses the tracer anew, from where the particles are.
+  void setTracer(TracerRule rule);
 
   std::int64_t step() const;  // in ticks
   double time() const;

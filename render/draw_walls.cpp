@@ -76,8 +76,7 @@ void drawWalls(DrawList& list, const Scene& scene, const Camera& camera, float e
     drawSegment(list, {{scene.bed.width, 0.0}, {scene.bed.width, corner}}, camera, wallWidth(em),
                 palette.wall);
   if (!scene.gas) return;
-  double fastest = 0.0;
-  for (const Inlet& inlet : scene.gas->inlets) fastest = std::max(fastest, inletVelocity(scene, inlet));
+  const double fastest = fastestInlet(scene);
   for (const Inlet& inlet : scene.gas->inlets) {
     const double velocity = inletVelocity(scene, inlet);
     if (!(velocity > 0.0)) continue;

@@ -55,6 +55,12 @@ double inletVelocity(const Scene& scene, const Inlet& inlet) {
   return inlet.velocity ? *inlet.velocity : *inlet.velocityUmf * minimumFluidizationVelocity(scene);
 }
 
+double fastestInlet(const Scene& scene) {
+  double fastest = 0.0;
+  for (const Inlet& inlet : scene.gas->inlets) fastest = std::max(fastest, inletVelocity(scene, inlet));
+  return fastest;
+}
+
 double floorHeight(const Scene& scene, double x) {
   return x * std::tan(scene.floor.inclinationDeg * pi / 180.0);
 }
@@ -74,6 +80,7 @@ double longestGasStep(const Scene& scene) {
 double tick(const Scene& scene) {
   if (!scene.time.step.isAutomatic()) return scene.time.step;
   if (scene.gas && !scene.gas->step.isAutomatic()) return scene.gas->step;
+  if (scene.tickKept) return *scene.tickKept;
   constexpr double parts = 5040.0;  // 2^4 3^2 5 7
   const double coarse = scene.sampling.interval / parts;
   const double halvings = std::ceil(std::log2(coarse / (contactTimeScale(scene) / 100.0)));

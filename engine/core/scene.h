@@ -143,6 +143,7 @@ struct Scene {
   LimitSettings limits;
   std::optional<PictureSettings> pictures;  // what they show where nobody says otherwise
   Refinement refinement;                    // of the steps since the scene was read, not a key
+  std::optional<double> tickKept;           // s, of a run that is steered: see tick(); not a key
 };
 
 // What follows from the settings.
@@ -165,6 +166,8 @@ double contactTimeScale(const Scene& scene);
 double minimumFluidizationVelocity(const Scene& scene);
 /// Superficial velocity of an inlet, m/s.
 double inletVelocity(const Scene& scene, const Inlet& inlet);
+/// The largest of these, m/s; the scene must have gas.
+double fastestInlet(const Scene& scene);
 /// Height of the straight distributor at x, m.
 double floorHeight(const Scene& scene, double x);
 
@@ -182,7 +185,8 @@ double longestGasStep(const Scene& scene);
 
 /// The unit that steps, frames and checkpoints are counted in, s: the particles' step. An automatic one is
 /// counted in gas steps, or, where there are none of a given length, in equal parts of the sampling interval,
-/// each at most T/100 long and so many that most numbers of gas steps fit.
+/// each at most T/100 long and so many that most numbers of gas steps fit. Of a run that is steered it stays
+/// what it was, however T changes.
 double tick(const Scene& scene);
 /// Whole numbers of ticks that make one frame, one gas step of a given length, the whole run; times that do
 /// not divide are refused by the scene reader.

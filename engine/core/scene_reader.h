@@ -18,6 +18,8 @@ struct Override {
   std::string value;
   std::string origin = {};  // what messages call it; "--set path" where empty
 };
+/// What messages about an override call its place.
+SourceLocation placeOf(const Override& override);
 
 /// Reads a scene from TOML text. Strict: syntax, unknown keys (with the key that was probably meant), wrong
 /// types, values out of range, contradictions between keys; all of them at once, each with file:line:column.
@@ -28,6 +30,15 @@ Result<Scene> readScene(std::string_view toml, const std::string& file,
 
 /// The scene as TOML with every default written out. readScene(writeScene(s)) == s, bit for bit.
 std::string writeScene(const Scene& scene);
+
+/// A key that a scene has, dotted, elements of lists by number, and its value as TOML.
+struct SceneSetting {
+  std::string path, value;
+
+  bool operator==(const SceneSetting&) const = default;
+};
+/// What writeScene() writes, in its order.
+std::vector<SceneSetting> sceneSettings(const Scene& scene);
 
 /// What is wrong with settings that are each in range but do not fit together; readScene includes these.
 struct Contradiction {

@@ -35,10 +35,6 @@ std::size_t tooDeep(std::string_view text) {
 
 std::string tooManyParts() { return fmt::format("a key of more than {} parts; a scene has none", mostParts); }
 
-SourceLocation placeOf(const Override& override) {
-  return {override.origin.empty() ? "--set " + override.path : override.origin};
-}
-
 bool isAtOrBelow(std::string_view path, std::string_view ancestor) {
   return path.starts_with(ancestor) && (path.size() == ancestor.size() || path[ancestor.size()] == '.');
 }
@@ -75,6 +71,10 @@ void assign(toml::node& parent, std::string_view name, const toml::node& value) 
 }
 
 }  // namespace
+
+SourceLocation placeOf(const Override& override) {
+  return {override.origin.empty() ? "--set " + override.path : override.origin};
+}
 
 void Problems::add(const std::string& path, const toml::source_region& at, std::string message) {
   spoiled_.insert(path);

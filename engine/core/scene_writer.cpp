@@ -8,6 +8,7 @@
 #include <iterator>
 #include <optional>
 #include <type_traits>
+#include <utility>
 
 namespace bedmix {
 
@@ -41,7 +42,7 @@ class TableWriter {
 
   void operator()(const Key& key, std::vector<Inlet>& inlets) {
     if (inlets.empty()) line(key, "[]");
-    for (Inlet& inlet : inlets) table("[[{}]]", key, inlet);
+    for (std::size_t i = 0; i < inlets.size(); ++i) table("[[{}]]", key, inlets[i], fmt::format(".{}", i));
   }
 
   template <class T>
@@ -58,32 +59,47 @@ class TableWriter {
   }
 
   std::string text() const { return keys_ + tables_; }
+  std::vector<SceneSetting> settings() const {
+    std::vector<SceneSetting> all = ownSettings_;
+    all.insert(all.end(), innerSettings_.begin(), innerSettings_.end());
+    return all;
+  }
 
  private:
   void line(const Key& key, const std::string& value) {
     const std::string entry = fmt::format("{} = {}", key.name, value);
     const std::string_view comma = key.unit.empty() ? "" : ", ";
     fmt::format_to(std::back_inserter(keys_), "{:<32}  # {}{}{}\n", entry, key.unit, comma, key.meaning);
+    ownSettings_.push_back({pathOf(key), value});
+  }
+
+  std::string pathOf(const Key& key) const {
+    return path_.empty() ? std::string(key.name) : fmt::format("{}.{}", path_, key.name);
   }
 
   template <class T>
-  void table(std::string_view header, const Key& key, T& value) {
-    const std::string path = path_.empty() ? std::string(key.name) : fmt::format("{}.{}", path_, key.name);
-    TableWriter inner(path);
+  void table(std::string_view header, const Key& key, T& value, const std::string& element = "") {
+    const std::string path = pathOf(key);
+    TableWriter inner(path + element);
     describe(value, inner);
     tables_ += '\n' + fmt::format(fmt::runtime(header), path) + '\n' + inner.text();
+    for (SceneSetting& setting : inner.settings()) innerSettings_.push_back(std::move(setting));
   }
 
   std::string path_, keys_, tables_;
+  std::vector<SceneSetting> ownSettings_, innerSettings_;
 };
+
+TableWriter written(Scene scene) {  // a copy: a description visits settings it may change
+  TableWriter writer;
+  describe(scene, writer);
+  return writer;
+}
 
 }  // namespace
 
-std::string writeScene(const Scene& scene) {
-  Scene copy = scene;  // a description visits settings it may change
-  TableWriter writer;
-  describe(copy, writer);
-  return writer.text();
-}
+std::string writeScene(const Scene& scene) { return written(scene).text(); }
+
+std::vector<SceneSetting> sceneSettings(const Scene& scene) { return written(scene).settings(); }
 
 }  // namespace bedmix

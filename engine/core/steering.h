@@ -5,7 +5,6 @@
 #include "engine/core/scene.h"
 #include "engine/core/scene_reader.h"
 
-#include <string>
 #include <string_view>
 #include <vector>
 
@@ -13,12 +12,13 @@
 
 namespace bedmix {
 
-/// Why a key (dotted, elements of lists by number or not) is as it is for the whole run; empty where it may
-/// change. Known from one table, for keys and whole tables.
+/// Why a key or table (dotted, elements of lists by number or not) is as it is for the whole run, as the end
+/// of "... is fixed while a run goes on: "; empty where it may change.
 std::string_view reasonFixed(std::string_view path);
 
-/// The scene with other values, checked as a scene file is. Fails, too, on a key that is fixed while a run
-/// goes on, with the reason, and on a value that would switch an effect on or off.
+/// The scene with other values, checked as a scene file is; times are counted as before. Fails, too, on a key
+/// that is fixed while a run goes on, with the reason, and on values that would switch the gas or friction on
+/// or off, or let inlets come or go. Located as "--set path" or at the override's origin.
 Result<Scene> steeredScene(const Scene& scene, const std::vector<Override>& changes);
 
 }  // namespace bedmix

@@ -27,9 +27,12 @@ GasStep::GasStep(const Scene& scene, const GasSolver& gas)
       bound_(std::min(longestGasStep(scene), scene.sampling.interval)),
       longest_(bound_),
       drag_(gas.exchange().source.size()) {
-  double fastest = 0.0;
-  for (const Inlet& inlet : scene.gas->inlets) fastest = std::max(fastest, inletVelocity(scene, inlet));
+  const double fastest = fastestInlet(scene);
   if (fastest > 0.0) longest_ = std::min(bound_, firstShare * courantLimit_ * gas.grid().dy(0) / fastest);
+}
+
+void GasStep::expect(const GasSolver& gas, double fastest) {
+  if (fastest > 0.0) longest_ = std::min(longest_, courantLimit_ * gas.grid().dy(0) / fastest);
 }
 
 void GasStep::observe(const GasSolver& gas, const GasStepReport& report, double step, double before) {
@@ -55,7 +58,9 @@ void GasStep::save(StateWriter& out) const {
 }
 
 bool GasStep::load(StateReader& in) {
-  return in.get(longest_) && longest_ > 0.0 && in.get(rate_) && in.getAll(drag_);
+  if (!(in.get(longest_) && longest_ > 0.0 && in.get(rate_) && in.getAll(drag_))) return false;
+  longest_ = std::min(longest_, bound_);  // which another viscosity may have brought closer
+  return true;
 }
 
 }  // namespace bedmix

@@ -24,11 +24,14 @@ class GasStep {
 
   /// The longest that the coming gas step may be, s.
   double longest() const { return longest_; }
+  /// To be called where what enters changes, to `fastest` m/s at most: the coming step is no longer than that
+  /// takes for courantLimit() of a cell.
+  void expect(const GasSolver& gas, double fastest);
   /// To be called after a gas step: how that went, its length and that of the one before, s.
   void observe(const GasSolver& gas, const GasStepReport& report, double step, double before);
 
   void save(StateWriter& out) const;
-  /// False where `in` is not what save() wrote of one of the same scene.
+  /// False where `in` is not what save() wrote of one of the same scene, or of one with other values.
   [[nodiscard]] bool load(StateReader& in);
 
  private:

@@ -138,5 +138,21 @@ TEST(NearMiss, FindsTheNearestWithinAThirdOfTheWord) {
   EXPECT_EQ(didYouMean("stop", keys), "; did you mean \"step\"?");
 }
 
+TEST(SceneWriter, SettingsAreWhatIsWritten) {
+  Scene scene;
+  scene.contacts.restitution = 0.9;
+  scene.gas.emplace();
+  scene.gas->grid.columns = {{8, 0.012}};
+  scene.gas->inlets = {{0.0, 0.02, 1.5, {}}, {0.04, 0.06, {}, 2.0}};
+  const std::vector<SceneSetting> settings = sceneSettings(scene);
+  for (const SceneSetting& expected : {SceneSetting{"contacts.restitution", "0.9"},
+                                       {"gas.grid.columns", "[[8, 0.012]]"},
+                                       {"gas.inlets.0.velocity", "1.5"},
+                                       {"gas.inlets.1.velocity_umf", "2.0"}})
+    EXPECT_NE(std::find(settings.begin(), settings.end(), expected), settings.end()) << expected.path;
+  const std::string text = writeScene(scene);
+  EXPECT_EQ(static_cast<std::ptrdiff_t>(settings.size()), std::count(text.begin(), text.end(), '#'));
+}
+
 }  // namespace
 }  // namespace bedmix

@@ -1,0 +1,230 @@
+// SPDX-License-Identifier: MIT
+#include "engine/core/steering.h"
+
+#include "engine/core/scene_keys.h"
+#include "engine/simulation.h"
+#include "tests/gas/gas_scenes.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace bedmix {
+namespace {
+
+/// A bed with all effects that blows from the beginning.
+Scene steeredBed() {
+  Scene scene = test::lowScene(60, 3.0);
+  scene.name = "low";
+  scene.start.arrangement = Arrangement::drop;
+  scene.sampling.interval = 0.005;
+  scene.flux = FluxSettings{.x = 0.02, .from = 0.0, .to = 0.05};
+  scene.pictures.emplace();
+  return scene;
+}
+
+Scene withChosenSteps(Scene scene) {
+  scene.time.step = scene.gas->step = StepLength::automatic();
+  scene.time.integrator = Integrator::verletOnset;
+  return scene;
+}
+
+/// Another value for each key that may change.
+const std::map<std::string, std::vector<Override>> otherValues{
+    {"title", {{"title", "'another'"}}},
+    {"gravity", {{"gravity", "8.0"}}},
+    {"contacts.stiffness", {{"contacts.stiffness", "1500"}}},
+    {"contacts.restitution", {{"contacts.restitution", "0.7"}}},
+    {"contacts.damping", {{"contacts.restitution", ""}, {"contacts.damping", "0.05"}}},
+    {"contacts.friction.coefficient", {{"contacts.friction.coefficient", "0"}}},
+    {"contacts.friction.stiffness_ratio", {{"contacts.friction.stiffness_ratio", "0.5"}}},
+    {"contacts.friction.damping_ratio", {{"contacts.friction.damping_ratio", "0.1"}}},
+    {"time.error", {{"time.error", "0.02"}}},
+    {"gas.density", {{"gas.density", "2.0"}}},
+    {"gas.viscosity", {{"gas.viscosity", "3e-5"}}},
+    {"gas.error", {{"gas.error", "0.2"}}},
+    {"gas.scheme", {{"gas.scheme", "simple"}}},
+    {"gas.time_scheme", {{"gas.time_scheme", "implicit-euler"}}},
+    {"gas.drag", {{"gas.drag", "wen-yu"}}},
+    {"gas.tolerance", {{"gas.tolerance", "1e-4"}}},
+    {"gas.max_iterations", {{"gas.max_iterations", "50"}}},
+    {"gas.minimum_fluidization_velocity", {{"gas.minimum_fluidization_velocity", "1.1"}}},
+    {"gas.inlets.from", {{"gas.inlets.0.from", "0.012"}}},
+    {"gas.inlets.to", {{"gas.inlets.0.to", "0.036"}}},
+    {"gas.inlets.velocity", {{"gas.inlets.0.velocity", "6.0"}}},
+    {"gas.inlets.velocity_umf", {{"gas.inlets.0.velocity", ""}, {"gas.inlets.0.velocity_umf", "2.0"}}},
+    {"sampling.columns", {{"sampling.columns", "2"}}},
+    {"sampling.rows", {{"sampling.rows", "5"}}},
+    {"sampling.min_particles", {{"sampling.min_particles", "3"}}},
+    {"flux.x", {{"flux.x", "0.03"}}},
+    {"flux.from", {{"flux.from", "0.01"}}},
+    {"flux.to", {{"flux.to", "0.06"}}},
+    {"limits.warn_overlap", {{"limits.warn_overlap", "0.02"}}},
+    {"limits.max_overlap", {{"limits.max_overlap", "0.3"}}},
+    {"pictures.layers", {{"pictures.layers", "['particles']"}}},
+    {"pictures.color", {{"pictures.color", "speed"}}},
+    {"pictures.classes", {{"pictures.classes", "5"}}},
+    {"pictures.background", {{"pictures.background", "'black'"}}},
+    {"pictures.bubble_voidage", {{"pictures.bubble_voidage", "0.7"}}},
+    {"pictures.trails", {{"pictures.trails", "[1, 2]"}}},
+    {"pictures.trail_time", {{"pictures.trail_time", "0.2"}}},
+};
+
+void expectRunsOn(const Scene& scene, const std::string& key, const std::vector<Override>& changes) {
+  Simulation simulation = test::simulate(scene);
+  ASSERT_EQ(simulation.advance(2 * stepsPerFrame(scene)), std::nullopt) << key;
+  const Result<Scene> steered = steeredScene(scene, changes);
+  ASSERT_TRUE(steered) << key << ": " << toString(steered.problems.front());
+  EXPECT_NE(sceneSettings(*steered), sceneSettings(scene)) << key;
+  EXPECT_EQ(tick(*steered), tick(scene)) << key;
+  const FramePtr before = simulation.frame();
+  ASSERT_TRUE(simulation.steer(*steered)) << key;
+  EXPECT_EQ(simulation.frame()->position, before->position) << key;
+  ASSERT_EQ(simulation.advance(2 * stepsPerFrame(*steered)), std::nullopt) << key;
+  const FramePtr frame = simulation.frame();
+  EXPECT_NEAR(frame->time, 4.0 * scene.sampling.interval, 1e-12) << key;
+  for (const Vec2f at : frame->position) EXPECT_TRUE(std::isfinite(at.x) && std::isfinite(at.y)) << key;
+}
+
+TEST(Steering, EveryKeyEitherChangesOrHasAReason) {
+  const Scene given = steeredBed(), chosen = withChosenSteps(steeredBed());
+  for (const SceneKey& key : sceneKeys()) {
+    if (key.type == "table" || key.type == "list of tables") continue;
+    const auto other = otherValues.find(key.path);
+    EXPECT_EQ(reasonFixed(key.path).empty(), other != otherValues.end()) << key.path;
+    if (other == otherValues.end()) continue;
+    expectRunsOn(given, key.path, other->second);
+    expectRunsOn(chosen, key.path, other->second);
+  }
+}
+
+std::string refusal(const Scene& scene, const std::vector<Override>& changes) {
+  const Result<Scene> steered = steeredScene(scene, changes);
+  return steered ? "" : toString(steered.problems.front());
+}
+
+TEST(Steering, FixedKeysAreRefusedWithTheReason) {
+  const Scene scene = steeredBed();
+  EXPECT_EQ(reasonFixed("gas.inlets.0.velocity"), "");
+  EXPECT_EQ(reasonFixed("gas.inlets"), "");
+  EXPECT_EQ(
+      refusal(scene, {{"bed.width", "0.06"}}),
+      "--set bed.width: bed.width is fixed while a run goes on: the walls and the cells of the gas have "
+      "been built of it");
+  EXPECT_EQ(refusal(scene, {{"sampling.interval", "0.02", "the slider"}}),
+            "the slider: sampling.interval is fixed while a run goes on: frames fall on it");
+  EXPECT_EQ(
+      refusal(scene, {{"gas.grid.columns", "[[2, 0.024]]"}}),
+      "--set gas.grid.columns: gas.grid.columns is fixed while a run goes on: the cells of the gas have "
+      "been built of it");
+}
+
+TEST(Steering, WholeTablesMayHoldNothingFixedThatIsNew) {
+  const Scene scene = steeredBed();
+  EXPECT_EQ(refusal(scene, {{"sampling", "{columns = 3, interval = 0.005}"}}), "");
+  EXPECT_EQ(refusal(scene, {{"sampling", "{columns = 3}"}}),
+            "--set sampling: sampling.interval is fixed while a run goes on: frames fall on it");
+  EXPECT_EQ(refusal(scene, {{"gas.inlets.0", "{from = 0, to = 0.02, velocity = 1}"}}), "");
+  EXPECT_EQ(refusal(scene, {{"gas.inlets", "[]"}}),
+            "--set gas.inlets: the number of inlets is fixed while a run goes on: there are 1, not 0");
+}
+
+TEST(Steering, EffectsAreNotSwitched) {
+  Scene scene = steeredBed();
+  EXPECT_EQ(refusal(scene, {{"gas", ""}}),
+            "--set gas: [gas] is fixed while a run goes on: this one has gas, which is part of its state");
+  EXPECT_NE(refusal(scene, {{"contacts.friction", ""}}), "");
+  EXPECT_NE(refusal(scene, {{"contacts", "{stiffness = 2000, restitution = 0.9}"}}), "");
+  scene.gas.reset();
+  EXPECT_EQ(
+      refusal(scene, {{"gas.density", "1.3"}}),
+      "--set gas.density: [gas] is fixed while a run goes on: this one has no gas, which is part of its "
+      "state");
+  EXPECT_EQ(refusal(scene, {{"flux", ""}}), "");
+  scene.flux.reset();
+  EXPECT_EQ(refusal(scene, {{"flux.x", "0.02"}}), "");
+}
+
+TEST(Steering, ValuesAreCheckedAndLocatedAtTheChange) {
+  const Scene scene = steeredBed();
+  EXPECT_EQ(refusal(scene, {{"gravity", "-1"}}),
+            "--set gravity: gravity is -1 m/s2; it must be at least 0 m/s2 (acceleration, downward)");
+  EXPECT_EQ(refusal(scene, {{"gravty", "1"}}).find("--set gravty: unknown key \"gravty\""), 0u);
+  // What contradicts it stands in no file that anyone could open.
+  EXPECT_EQ(
+      refusal(scene, {{"contacts.stiffness", "1e6"}}).find("--set contacts.stiffness: a step of 1e-05 s"),
+      0u);
+  EXPECT_EQ(refusal(scene, {{"contacts.stiffness", "1e6"}, {"gravity", "9"}}).find("a step of 1e-05 s"), 0u);
+}
+
+TEST(Steering, WhatIsNoKeyStays) {
+  Scene scene = steeredBed();
+  scene.refinement = {1, 1};
+  const Result<Scene> steered = steeredScene(scene, {{"gravity", "8"}});
+  ASSERT_TRUE(steered);
+  EXPECT_EQ(steered->name, "low");
+  EXPECT_EQ(steered->refinement, scene.refinement);
+  EXPECT_EQ(steered->gravity, 8.0);
+}
+
+/// Stiffer contacts would be counted in shorter ticks; frames' numbers of steps must not jump.
+TEST(Steering, ChosenTicksStay) {
+  Scene scene = withChosenSteps(steeredBed());
+  const std::vector<Override> stiffer{{"contacts.stiffness", "2e6"}};
+  Scene anew = scene;
+  anew.contacts.stiffness = 2e6;
+  ASSERT_LT(tick(anew), tick(scene));
+  expectRunsOn(scene, "stiffer", stiffer);
+  const Result<Scene> once = steeredScene(scene, stiffer);
+  const Result<Scene> back = steeredScene(*once, {{"contacts.stiffness", "500"}});
+  EXPECT_EQ(tick(*back), tick(scene));
+}
+
+TEST(Steer, NothingChangesNothing) {
+  for (const Scene& scene : {steeredBed(), withChosenSteps(steeredBed())}) {
+    Simulation plain = test::simulate(scene), steered = test::simulate(scene, 2);
+    const std::int64_t frame = stepsPerFrame(scene);
+    for (int frames = 0; frames < 6; ++frames) {
+      ASSERT_TRUE(steered.steer(*steeredScene(scene, {})));
+      EXPECT_EQ(steered.stateHash(), plain.stateHash()) << frames;
+      ASSERT_EQ(plain.advance(frame), std::nullopt);
+      ASSERT_EQ(steered.advance(frame), std::nullopt);
+    }
+    EXPECT_EQ(steered.stateHash(), plain.stateHash());
+    EXPECT_EQ(steered.particleSteps(), plain.particleSteps());
+    EXPECT_EQ(steered.gasSteps(), plain.gasSteps());
+    EXPECT_EQ(steered.contacts(), plain.contacts());
+    EXPECT_EQ(steered.frame()->species, plain.frame()->species);
+  }
+}
+
+TEST(Steer, InletsAloneAreTheSameAsSetInlets) {
+  for (const Scene& scene : {steeredBed(), withChosenSteps(steeredBed())}) {
+    Simulation set = test::simulate(scene), steered = test::simulate(scene), plain = test::simulate(scene);
+    const std::int64_t frame = stepsPerFrame(scene);
+    for (Simulation* s : {&set, &steered, &plain}) ASSERT_EQ(s->advance(3 * frame), std::nullopt);
+    const Scene other = *steeredScene(scene, {{"gas.inlets.0.velocity", "6"}, {"gas.inlets.0.to", "0.024"}});
+    set.setInlets(other.gas->inlets);
+    ASSERT_TRUE(steered.steer(other));
+    for (Simulation* s : {&set, &steered, &plain}) ASSERT_EQ(s->advance(3 * frame), std::nullopt);
+    EXPECT_EQ(steered.stateHash(), set.stateHash());
+    EXPECT_NE(steered.stateHash(), plain.stateHash());
+  }
+}
+
+TEST(Steer, TracerIsChosenFromWhereParticlesAre) {
+  Simulation simulation = test::simulate(steeredBed());
+  ASSERT_EQ(simulation.advance(10 * stepsPerFrame(steeredBed())), std::nullopt);
+  const std::uint64_t before = simulation.stateHash();
+  simulation.setTracer(TracerRule::rightHalf);
+  EXPECT_EQ(simulation.stateHash(), before);
+  const FramePtr frame = simulation.frame();
+  for (std::size_t i = 0; i < frame->size(); ++i)
+    EXPECT_EQ(frame->species[i] == 1, frame->position[i].x >= 0.024f) << i;
+}
+
+}  // namespace
+}  // namespace bedmix
