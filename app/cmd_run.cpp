@@ -42,12 +42,9 @@ struct RunOptions {
 Result<std::vector<Override>> overridesOf(const RunOptions& options) {
   std::vector<Override> overrides;
   if (options.accuracy) overrides = accuracyOverrides(*options.accuracy);
-  for (const std::string& setting : options.settings) {
-    const std::size_t equals = setting.find('=');
-    if (equals == std::string::npos || equals == 0)
-      return Diagnostic{{"--set " + setting}, "must be path=value, e.g. --set gas.step=5e-5"};
-    overrides.push_back({setting.substr(0, equals), setting.substr(equals + 1)});
-  }
+  const auto settings = settingOverrides(options.settings);
+  if (!settings) return settings.problems;
+  overrides.insert(overrides.end(), settings->begin(), settings->end());
   if (options.until) overrides.push_back({"time.duration", *options.until, "--until"});
   if (options.seed) overrides.push_back({"seed", *options.seed, "--seed"});
   return overrides;

@@ -25,6 +25,7 @@ void addPlotCommand(CLI::App& program, CommandContext context);
 void addReportCommand(CLI::App& program, CommandContext context);
 void addExportCommand(CLI::App& program, CommandContext context);
 void addRecoverCommand(CLI::App& program, CommandContext context);
+void addViewCommand(CLI::App& program, CommandContext context);
 void addAccuracyCommand(CLI::App& program, CommandContext context);
 void addCheckCommand(CLI::App& program, CommandContext context);
 void addScenesCommand(CLI::App& program, CommandContext context);

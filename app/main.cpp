@@ -68,6 +68,7 @@ int run(int argc, char** argv) {
   addReportCommand(program, context);
   addExportCommand(program, context);
   addRecoverCommand(program, context);
+  addViewCommand(program, context);
   addAccuracyCommand(program, context);
   addCheckCommand(program, context);
   addScenesCommand(program, context);

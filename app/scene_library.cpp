@@ -48,6 +48,17 @@ Result<std::string> readTextFile(const fs::path& path) {
   return text.str();
 }
 
+Result<std::vector<Override>> settingOverrides(const std::vector<std::string>& settings) {
+  std::vector<Override> overrides;
+  for (const std::string& setting : settings) {
+    const std::size_t equals = setting.find('=');
+    if (equals == std::string::npos || equals == 0)
+      return Diagnostic{{"--set " + setting}, "must be path=value, e.g. --set gas.step=5e-5"};
+    overrides.push_back({setting.substr(0, equals), setting.substr(equals + 1)});
+  }
+  return overrides;
+}
+
 Result<fs::path> findScene(const std::string& scene) {
   std::error_code none;
   const fs::path asPath(scene);

@@ -18,6 +18,9 @@ std::vector<std::filesystem::path> bundledScenes();
 /// The text of a file, or why it cannot be read.
 Result<std::string> readTextFile(const std::filesystem::path& path);
 
+/// "path=value" of --set, one each.
+Result<std::vector<Override>> settingOverrides(const std::vector<std::string>& settings);
+
 /// The file a scene is in: `scene` is the path of one or the name of a bundled one.
 Result<std::filesystem::path> findScene(const std::string& scene);
 

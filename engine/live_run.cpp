@@ -203,7 +203,8 @@ struct LiveRun::State {
 
   void note(std::string kind, std::string detail) {
     const std::lock_guard lock(tapMutex);
-    if (tap) tap->note({simulation ? simulation->time() : 0.0, std::move(kind), std::move(detail)});
+    if (tap)
+      tap->note({simulation ? simulation->time() : 0.0, std::move(kind), std::move(detail), news.scene});
   }
 
   void restart() {

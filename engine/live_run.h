@@ -33,9 +33,10 @@ using SnapshotPtr = std::shared_ptr<const Snapshot>;
 
 /// Something that was done to the run, for its log.
 struct Steering {
-  double time = 0.0;   // s, simulated
-  std::string kind;    // "set", "tracer", "restart"
-  std::string detail;  // "gas.inlets.0.velocity = 2.5", "left-half", ""
+  double time = 0.0;                   // s, simulated
+  std::string kind;                    // "set", "tracer", "restart"
+  std::string detail;                  // "gas.inlets.0.velocity = 2.5", "left-half", ""
+  std::shared_ptr<const Scene> scene;  // from then on
 };
 
 /// Takes every frame, and what was done before it, in their order; whoever gives them waits. That is the

@@ -59,11 +59,10 @@ std::vector<PanelFact> numberFacts(const Snapshot& now) {
 
 }  // namespace
 
-LiveModel::LiveModel(const Scene& scene, int threads, Pace pace, std::filesystem::path folder,
-                     std::function<void()> onNews)
+LiveModel::LiveModel(const Scene& scene, int threads, Pace pace, std::filesystem::path folder)
     : pace_(pace),
       tap_(scene, std::move(folder)),
-      run_(scene, threads, pace, std::move(onNews)),
+      run_(scene, threads, pace),
       now_(run_.newest()),
       beds_(1),
       fastestInlet_(fastestOf(scene)) {
@@ -77,8 +76,8 @@ LiveModel::~LiveModel() {
   run_.setTap(nullptr);
 }
 
-void LiveModel::refresh(double) {
-  if (pace_ == Pace::ticked) run_.tick();
+void LiveModel::refresh(double seconds) {
+  if (pace_ == Pace::ticked && seconds > 0.0) run_.tick();
   now_ = run_.newest();
   beds_[0].scene = now_->scene;
   beds_[0].frame = now_->frame;

@@ -6,7 +6,6 @@
 #include "engine/live_run.h"
 
 #include <filesystem>
-#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -17,9 +16,8 @@ namespace bedmix {
 class LiveModel final : public ViewModel {
  public:
   /// Recordings go into folders in `folder`. With a ticked pace each refresh is one frame of the run, if it
-  /// plays. `onNews` is called in the solver's thread.
-  LiveModel(const Scene& scene, int threads, Pace pace, std::filesystem::path folder,
-            std::function<void()> onNews);
+  /// plays.
+  LiveModel(const Scene& scene, int threads, Pace pace, std::filesystem::path folder);
   ~LiveModel() override;
 
   void refresh(double seconds) override;

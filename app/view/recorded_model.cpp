@@ -20,7 +20,7 @@ std::size_t frameAt(const std::vector<double>& times, double time) {
 }  // namespace
 
 RecordedModel::RecordedModel(std::vector<RecordedRun> runs, const std::vector<std::string>& names,
-                             const RecordingOptions& options, const std::function<void()>& onNews)
+                             const RecordingOptions& options)
     : beds_(runs.size()), begin_(runs.front().begin()), end_(runs.front().end()) {
   for (std::size_t i = 0; i < runs.size(); ++i) {
     begin_ = std::min(begin_, runs[i].begin());
@@ -28,7 +28,7 @@ RecordedModel::RecordedModel(std::vector<RecordedRun> runs, const std::vector<st
     for (const RunEvent& event : runs[i].reader->events()) marks_.push_back(event.time);
     beds_[i].scene = std::make_shared<const Scene>(runs[i].scene());
     beds_[i].name = runs[i].name;
-    auto scan = std::make_unique<RunScan>(names[i], options, onNews);
+    auto scan = std::make_unique<RunScan>(names[i], options);
     auto found = scan->found();
     sources_.push_back({std::move(runs[i]), std::move(scan), std::move(found), {}, {}});
   }

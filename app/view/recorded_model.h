@@ -5,7 +5,6 @@
 #include "app/view/run_scan.h"
 #include "app/view/view_model.h"
 
-#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -16,9 +15,9 @@ namespace bedmix {
 /// Recorded runs, played side by side by one clock.
 class RecordedModel final : public ViewModel {
  public:
-  /// `runs` are opened from `names` with the options. `onNews` is called in threads of its own.
+  /// `runs` are opened from `names` with the options.
   RecordedModel(std::vector<RecordedRun> runs, const std::vector<std::string>& names,
-                const RecordingOptions& options, const std::function<void()>& onNews);
+                const RecordingOptions& options);
 
   void refresh(double seconds) override;
   void act(const PanelAction& action) override;

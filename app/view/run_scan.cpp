@@ -27,7 +27,6 @@ void addPlace(const Frame& frame, std::int32_t id, std::vector<Vec2f>& path) {
 struct RunScan::State {
   std::string run;
   RecordingOptions options;
-  std::function<void()> onNews;
 
   mutable std::mutex mutex;
   std::condition_variable_any changed;
@@ -37,12 +36,8 @@ struct RunScan::State {
 
   void publish(const ViewSeries& series, std::vector<Vec2f> path, double done) {
     auto news = std::make_shared<const Found>(Found{series.charts(), std::move(path), done});
-    {
-      const std::lock_guard lock(mutex);
-      if (wish) return;  // it is about something else already
-      found = std::move(news);
-    }
-    onNews();
+    const std::lock_guard lock(mutex);
+    if (!wish) found = std::move(news);  // else it is about something else already
   }
 
   bool isWanted(const std::stop_token& stop) const {
@@ -81,11 +76,9 @@ struct RunScan::State {
   }
 };
 
-RunScan::RunScan(std::string run, RecordingOptions options, std::function<void()> onNews)
-    : state_(std::make_unique<State>()) {
+RunScan::RunScan(std::string run, RecordingOptions options) : state_(std::make_unique<State>()) {
   state_->run = std::move(run);
   state_->options = std::move(options);
-  state_->onNews = std::move(onNews);
   state_->thread = std::jthread([s = state_.get()](const std::stop_token& stop) { s->work(stop); });
 }
 RunScan::~RunScan() = default;

@@ -5,7 +5,6 @@
 #include "app/view/view_series.h"
 #include "replay/tracer_choice.h"
 
-#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -28,8 +27,8 @@ class RunScan {
     double done = 0.0;        // share of the frames
   };
 
-  /// `run` is as openRuns() takes it; the scan reads it by itself. `onNews` is called in its thread.
-  RunScan(std::string run, RecordingOptions options, std::function<void()> onNews);
+  /// `run` is as openRuns() takes it; the scan reads it by itself.
+  RunScan(std::string run, RecordingOptions options);
   ~RunScan();
 
   void ask(const Wish& wish);

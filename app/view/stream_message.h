@@ -15,7 +15,8 @@ enum class StreamKind : std::uint8_t {
   h264Key = 2,   // a picture that a decoder can begin with, Annex B
   h264Next = 3,  // one that follows the one before
   notice = 4,    // JSON, UTF-8: {"role": "controller" | "viewer"}, {"cursor": "ew-resize"},
-                 // {"keyboard": true}: a text is being edited, {"ended": "why"}
+                 // {"keyboard": true}: a text is being edited, {"saved": "/saved/NAME"},
+                // {"ended": "why"}
 };
 
 /// The header before it: 16 bytes, little-endian.

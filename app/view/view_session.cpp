@@ -206,6 +206,7 @@ bool ViewSession::draw(std::span<const InputEvent> events, double seconds, Image
 }
 
 ViewModel& ViewSession::model() { return *state_->model; }
+const Panel& ViewSession::panel() const { return state_->panel; }
 Size ViewSession::size() const { return state_->size; }
 std::string_view ViewSession::cursor() const { return state_->panel.cursor(); }
 bool ViewSession::wantsKeyboard() const { return state_->panel.wantsKeyboard(); }

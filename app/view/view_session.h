@@ -46,6 +46,7 @@ class ViewSession {
   bool draw(std::span<const InputEvent> events, double seconds, Image& image);
 
   ViewModel& model();
+  const Panel& panel() const;
   Size size() const;
   std::string_view cursor() const;
   bool wantsKeyboard() const;

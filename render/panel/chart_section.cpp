@@ -96,7 +96,7 @@ void chartOf(const PanelModel& model, const PanelChart& chart, PanelActions& act
 }  // namespace
 
 void chartSection(const PanelModel& model, PanelActions& actions) {
-  if (model.charts.empty() || !ImGui::CollapsingHeader("Curves", ImGuiTreeNodeFlags_DefaultOpen)) return;
+  if (model.charts.empty() || !section("Curves", ImGuiTreeNodeFlags_DefaultOpen)) return;
   for (std::size_t i = 0; i < model.charts.size(); ++i) {
     ImGui::PushID(static_cast<int>(i));
     chartOf(model, model.charts[i], actions);

@@ -8,16 +8,12 @@
 namespace bedmix {
 
 void samplingSection(const PanelModel& model, PanelActions& actions) {
-  if (!ImGui::CollapsingHeader("Sampling cells")) return;
+  if (!section("Sampling cells")) return;
   int columns = model.grid.columns, rows = model.grid.rows, fewest = model.grid.minParticles;
-  const float label = -7.0f * ImGui::GetFontSize();
   bool moved = false;
-  ImGui::SetNextItemWidth(label);
-  moved |= ImGui::SliderInt("columns", &columns, 1, 40, "%d", ImGuiSliderFlags_AlwaysClamp);
-  ImGui::SetNextItemWidth(label);
-  moved |= ImGui::SliderInt("rows", &rows, 1, 100, "%d", ImGuiSliderFlags_AlwaysClamp);
-  ImGui::SetNextItemWidth(label);
-  moved |= ImGui::SliderInt("min particles", &fewest, 1, 100, "%d", ImGuiSliderFlags_AlwaysClamp);
+  moved |= slider("columns", &columns, 1, 40);
+  moved |= slider("rows", &rows, 1, 100);
+  moved |= slider("min particles", &fewest, 1, 100);
   if (moved) actions.push_back({PanelAction::Resample{columns, rows, fewest}});
   text("The lines of the layer sampling can be dragged");
   if (model.indicesDone < 1.0)
@@ -26,46 +22,45 @@ void samplingSection(const PanelModel& model, PanelActions& actions) {
 }
 
 void tracerSection(const PanelModel& model, PanelActions& actions) {
-  if (!ImGui::CollapsingHeader("Tracer")) return;
+  if (!section("Tracer")) return;
   text(fmt::format("Tagged anew where the particles are at {:.4g} s:", model.time));
   for (std::size_t i = 0; i < modelTable<TracerRule>.size(); ++i) {
     if (i % 2 == 1) ImGui::SameLine();
-    if (ImGui::Button(std::string(modelTable<TracerRule>[i].name).c_str(),
-                      {8.0f * ImGui::GetFontSize(), 0.0f}))
+    if (button(std::string(modelTable<TracerRule>[i].name), {8.0f * ImGui::GetFontSize(), 0.0f}))
       actions.push_back({PanelAction::Tag{static_cast<TracerRule>(i)}});
   }
 }
 
 void particleSection(const PanelModel& model, PanelActions& actions) {
   if (!model.picked) return;
-  if (!ImGui::CollapsingHeader("Particle", ImGuiTreeNodeFlags_DefaultOpen)) return;
+  if (!section("Particle", ImGuiTreeNodeFlags_DefaultOpen)) return;
   factTable("particle", model.particle);
-  if (ImGui::Button("Let go")) actions.push_back({PanelAction::Pick{}});
+  if (button("Let go")) actions.push_back({PanelAction::Pick{}});
 }
 
 void numbersSection(const PanelModel& model, PanelActions&) {
   if (model.numbers.empty() && model.stages.empty()) return;
-  if (!ImGui::CollapsingHeader("Solver")) return;
+  if (!section("Solver")) return;
   factTable("stages", model.stages);
   factTable("numbers", model.numbers);
 }
 
 void savingSection(const PanelModel& model, PanelActions& actions) {
-  if (!ImGui::CollapsingHeader("Save")) return;
+  if (!section("Save")) return;
   if (model.canRecord && !model.isRecording) {
-    if (ImGui::Button("Record")) actions.push_back({PanelAction::Record{}});
+    if (button("Record")) actions.push_back({PanelAction::Record{}});
     explain("Trajectory and series, from the present frame on");
     ImGui::SameLine();
-    if (ImGui::Button("Record and film")) actions.push_back({PanelAction::Record{true}});
+    if (button("Record and film")) actions.push_back({PanelAction::Record{true}});
   }
   if (model.isRecording) {
-    if (ImGui::Button("Stop recording")) actions.push_back({PanelAction::StopRecording{}});
+    if (button("Stop recording")) actions.push_back({PanelAction::StopRecording{}});
     text("recording into " + model.recording);
   }
-  if (ImGui::Button("Picture")) actions.push_back({PanelAction::SavePicture{}});
+  if (button("Picture")) actions.push_back({PanelAction::SavePicture{}});
   if (model.isLive) {
     ImGui::SameLine();
-    if (ImGui::Button("Scene")) actions.push_back({PanelAction::SaveScene{}});
+    if (button("Scene")) actions.push_back({PanelAction::SaveScene{}});
     explain("As it is steered now, as TOML");
   }
   for (const std::string& name : model.saved) text(name);

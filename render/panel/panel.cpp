@@ -9,6 +9,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
+#include <string>
 
 namespace bedmix {
 
@@ -44,6 +46,7 @@ struct Panel::State {
   const UiMesh* mesh = nullptr;
   std::string_view cursor = "default";
   bool isTyping = false, isScrolled = false;
+  std::map<std::string, Box, std::less<>> items;  // by label
 
   State(Size size, float scale) : context(std::array{std::round(fontHeight * scale)}) {
     const Box whole = wholeOf(size);
@@ -54,6 +57,7 @@ struct Panel::State {
       part.top = bed.bottom = std::round(whole.bottom - heightShare * whole.height());
     const UiContext::Turn turn(context);
     PanelInput::mapKeys();
+    noteItemsIn(&items);
     setLook(scale);
     ImGui::GetIO().DisplaySize = {whole.right, whole.bottom};
   }
@@ -68,6 +72,7 @@ struct Panel::State {
   }
 
   void build(const PanelModel& model, PanelActions& actions) {
+    items.clear();
     ImGui::SetNextWindowPos({part.left, part.top});
     ImGui::SetNextWindowSize({part.width(), part.height()});
     ImGui::Begin("panel", nullptr,
@@ -140,6 +145,12 @@ std::vector<PanelAction> Panel::update(const PanelModel& model, std::span<const 
 }
 
 const UiMesh& Panel::mesh() const { return *state_->mesh; }
+Box Panel::panelPart() const { return state_->part; }
+std::optional<Box> Panel::item(std::string_view label) const {
+  const auto found = state_->items.find(label);
+  return found == state_->items.end() ? std::nullopt : std::optional(found->second);
+}
+
 std::string_view Panel::cursor() const { return state_->cursor; }
 bool Panel::wantsKeyboard() const { return state_->isTyping; }
 bool Panel::isRestless() const { return state_->isTyping; }

@@ -7,6 +7,7 @@
 #include "render/ui_mesh.h"
 
 #include <memory>
+#include <optional>
 #include <span>
 #include <string_view>
 #include <vector>
@@ -33,6 +34,11 @@ class Panel {
                                   double seconds);
   /// As it looks since then. Valid until the next update.
   const UiMesh& mesh() const;
+
+  /// Where something with this label was drawn last, px; nothing where it is not. It may have to be scrolled
+  /// into panelPart() before it is seen.
+  std::optional<Box> item(std::string_view label) const;
+  Box panelPart() const;
 
   /// CSS name of the pointer's shape.
   std::string_view cursor() const;

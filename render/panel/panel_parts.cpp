@@ -3,6 +3,53 @@
 
 namespace bedmix {
 
+namespace {
+
+void noteItem(const std::string& label) {
+  auto* const found = static_cast<std::map<std::string, Box, std::less<>>*>(ImGui::GetIO().UserData);
+  const std::size_t id = label.find("###");
+  const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
+  (*found)[id == std::string::npos ? label : label.substr(id + 3)] = {low.x, low.y, high.x, high.y};
+}
+
+}  // namespace
+
+void noteItemsIn(std::map<std::string, Box, std::less<>>* found) { ImGui::GetIO().UserData = found; }
+
+bool button(const std::string& label, ImVec2 size) {
+  const bool pressed = ImGui::Button(label.c_str(), size);
+  noteItem(label);
+  return pressed;
+}
+
+bool checkBox(const std::string& label, bool* on) {
+  const bool pressed = ImGui::Checkbox(label.c_str(), on);
+  noteItem(label);
+  return pressed;
+}
+
+bool section(const char* label, ImGuiTreeNodeFlags flags) {
+  const bool isOpen = ImGui::CollapsingHeader(label, flags);
+  noteItem(label);
+  return isOpen;
+}
+
+bool slider(const std::string& label, double* value, double low, double high, const char* format,
+            ImGuiSliderFlags flags) {
+  ImGui::SetNextItemWidth(-1.0f);
+  const bool moved =
+      ImGui::SliderScalar(("##" + label).c_str(), ImGuiDataType_Double, value, &low, &high, format, flags);
+  noteItem(label);
+  return moved;
+}
+
+bool slider(const std::string& label, int* value, int low, int high) {
+  ImGui::SetNextItemWidth(-7.0f * ImGui::GetFontSize());
+  const bool moved = ImGui::SliderInt(label.c_str(), value, low, high, "%d", ImGuiSliderFlags_AlwaysClamp);
+  noteItem(label);
+  return moved;
+}
+
 void beginLocked(std::string_view why) { ImGui::BeginDisabled(!why.empty()); }
 
 void endLocked(std::string_view why) {

@@ -6,6 +6,8 @@
 
 #include <imgui.h>
 
+#include <functional>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -26,6 +28,18 @@ void particleSection(const PanelModel& model, PanelActions& actions);
 void numbersSection(const PanelModel& model, PanelActions& actions);
 void parametersSection(const PanelModel& model, PanelActions& actions);
 void savingSection(const PanelModel& model, PanelActions& actions);
+
+// Widgets that a script can find by their label (see Panel::item); of "text###name", by the name.
+bool button(const std::string& label, ImVec2 size = {});
+bool checkBox(const std::string& label, bool* on);
+bool section(const char* label, ImGuiTreeNodeFlags flags = 0);
+/// As wide as the panel, without the label.
+bool slider(const std::string& label, double* value, double low, double high, const char* format,
+            ImGuiSliderFlags flags = 0);
+/// With its label.
+bool slider(const std::string& label, int* value, int low, int high);
+/// Where they were drawn last, px: what `found` is told of, from now on.
+void noteItemsIn(std::map<std::string, Box, std::less<>>* found);
 
 /// The colour as ImGui wants it.
 inline ImU32 packed(Rgba c) { return IM_COL32(c.r, c.g, c.b, c.a); }

@@ -64,7 +64,7 @@ std::string_view tableOf(std::string_view path) {
 }  // namespace
 
 void parametersSection(const PanelModel& model, PanelActions& actions) {
-  if (model.parameters.empty() || !ImGui::CollapsingHeader("All parameters")) return;
+  if (model.parameters.empty() || !section("All parameters")) return;
   const std::vector<PanelParameter>& all = model.parameters;
   for (std::size_t first = 0; first < all.size();) {
     const std::string_view table = tableOf(all[first].value.path);

@@ -16,7 +16,7 @@ void layerBoxes(const PanelModel& model, PanelActions& actions) {
     bool shown = model.style.layers.has(layer);
     const std::string& why = model.missing[i];
     beginLocked(why);
-    if (ImGui::Checkbox(std::string(modelTable<Layer>[i].name).c_str(), &shown)) {
+    if (checkBox(std::string(modelTable<Layer>[i].name), &shown)) {
       Style style = model.style;
       style.layers = {};
       for (std::size_t k = 0; k < modelTable<Layer>.size(); ++k) {
@@ -51,8 +51,7 @@ void colorChoice(const PanelModel& model, PanelActions& actions) {
   }
   if (!hasClasses(model.style.color)) return;
   int classes = static_cast<int>(model.style.classes);
-  ImGui::SetNextItemWidth(-5.0f * ImGui::GetFontSize());
-  if (ImGui::SliderInt("classes", &classes, 1, 12, "%d", ImGuiSliderFlags_AlwaysClamp)) {
+  if (slider("classes", &classes, 1, 12)) {
     Style style = model.style;
     style.classes = classes;
     actions.push_back({PanelAction::Restyle{style}});
@@ -62,11 +61,11 @@ void colorChoice(const PanelModel& model, PanelActions& actions) {
 }  // namespace
 
 void pictureSection(const PanelModel& model, PanelActions& actions) {
-  if (!ImGui::CollapsingHeader("Picture", ImGuiTreeNodeFlags_DefaultOpen)) return;
+  if (!section("Picture", ImGuiTreeNodeFlags_DefaultOpen)) return;
   layerBoxes(model, actions);
   colorChoice(model, actions);
   bool dark = model.style.ground == black;
-  if (ImGui::Checkbox("dark background", &dark)) {
+  if (checkBox("dark background", &dark)) {
     Style style = model.style;
     style.ground = dark ? black : white;
     actions.push_back({PanelAction::Restyle{style}});

@@ -18,26 +18,25 @@ void speedSlider(const PanelModel& model, PanelActions& actions) {
   const double end = model.isLive ? unlimited : fastest;
   double speed = model.speed > 0.0 ? model.speed : end;
   const std::string shown = model.speed > 0.0 ? "%.3g x real time" : "as fast as it goes";
-  ImGui::SetNextItemWidth(-1.0f);
-  if (ImGui::SliderScalar("##speed", ImGuiDataType_Double, &speed, &slowest, &end, shown.c_str(),
-                          ImGuiSliderFlags_Logarithmic | ImGuiSliderFlags_AlwaysClamp))
+  if (slider("speed", &speed, slowest, end, shown.c_str(),
+             ImGuiSliderFlags_Logarithmic | ImGuiSliderFlags_AlwaysClamp))
     actions.push_back({PanelAction::Speed{model.isLive && speed > fastest ? 0.0 : speed}});
   explain("Simulated seconds per second of the wall clock");
 }
 
 void playButton(const PanelModel& model, PanelActions& actions) {
   const float width = 5.5f * ImGui::GetFontSize();
-  if (ImGui::Button(model.isPlaying ? "Pause###play" : "Play###play", {width, 0.0f}))
+  if (button(model.isPlaying ? "Pause###play" : "Play###play", {width, 0.0f}))
     actions.push_back({PanelAction::Play{!model.isPlaying}});
 }
 
 void liveButtons(const PanelModel& model, PanelActions& actions) {
   playButton(model, actions);
   ImGui::SameLine();
-  if (ImGui::Button("Step")) actions.push_back({PanelAction::Step{}});
+  if (button("Step")) actions.push_back({PanelAction::Step{}});
   explain("One sampling interval, then pause");
   ImGui::SameLine();
-  if (ImGui::Button("Restart")) actions.push_back({PanelAction::Restart{}});
+  if (button("Restart")) actions.push_back({PanelAction::Restart{}});
   explain("From 0 s, with the values as they are now");
 }
 
@@ -67,24 +66,22 @@ void recordedButtons(const PanelModel& model, PanelActions& actions) {
   };
   playButton(model, actions);
   ImGui::SameLine();
-  if (ImGui::Button("<") || key(ImGuiKey_LeftArrow)) actions.push_back({PanelAction::Step{-1}});
+  if (button("<") || key(ImGuiKey_LeftArrow)) actions.push_back({PanelAction::Step{-1}});
   ImGui::SameLine();
-  if (ImGui::Button(">") || key(ImGuiKey_RightArrow)) actions.push_back({PanelAction::Step{1}});
+  if (button(">") || key(ImGuiKey_RightArrow)) actions.push_back({PanelAction::Step{1}});
   ImGui::SameLine();
-  if (ImGui::Button("Mark")) actions.push_back({PanelAction::Mark{}});
+  if (button("Mark")) actions.push_back({PanelAction::Mark{}});
   explain("Marks this time on the slider; again: takes the mark away. Page up and down go from mark to mark");
   ImGui::SameLine();
   bool loops = model.loops;
-  if (ImGui::Checkbox("Loop", &loops)) actions.push_back({PanelAction::Loop{loops}});
+  if (checkBox("Loop", &loops)) actions.push_back({PanelAction::Loop{loops}});
   if (key(ImGuiKey_PageUp)) actions.push_back({PanelAction::Seek{nextKeyTime(model, false)}});
   if (key(ImGuiKey_PageDown)) actions.push_back({PanelAction::Seek{nextKeyTime(model, true)}});
   if (key(ImGuiKey_Home)) actions.push_back({PanelAction::Seek{model.begin}});
   if (key(ImGuiKey_End)) actions.push_back({PanelAction::Seek{model.end}});
 
   double time = model.time;
-  ImGui::SetNextItemWidth(-1.0f);
-  if (ImGui::SliderScalar("##time", ImGuiDataType_Double, &time, &model.begin, &model.end, "%.4g s",
-                          ImGuiSliderFlags_AlwaysClamp))
+  if (slider("time", &time, model.begin, model.end, "%.4g s", ImGuiSliderFlags_AlwaysClamp))
     actions.push_back({PanelAction::Seek{time}});
   drawKeyTimes(model);
 }
