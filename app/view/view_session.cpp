@@ -149,7 +149,7 @@ void ViewSession::State::paint(Image& image) {
   for (const ViewBed& bed : beds)
     if (bed.frame) plain.layers.add(Layer::particles);
   const Style wanted = std::exchange(style, plain);
-  if (painter.change(this->beds(), options())) painter.paint(frames, image, overlay);
+  if (painter.change(this->beds(), options())) (void)painter.paint(frames, image, overlay);
   style = wanted;
   painted.assign(beds.size(), nullptr);
 }

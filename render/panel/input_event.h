@@ -40,14 +40,14 @@ struct InputEvent {
   enum class Kind { pointer, wheel, key, text, size, leave };
 
   Kind kind = Kind::pointer;
-  Vec2f at;                       // pointer and wheel
+  Vec2f at = {};                  // pointer and wheel
   unsigned buttons = 0;           // pointer: those down from now on: 1 left, 2 right, 4 middle
   bool isTouch = false;           // pointer: a finger, which cannot hover
-  Vec2f turn;                     // wheel: notches to the right and up
+  Vec2f turn = {};                // wheel: notches to the right and up
   PanelKey key = PanelKey::left;  // key
   bool isDown = false;            // key
-  std::string text;               // text: UTF-8, at most 64 bytes
-  Size size;                      // size: of the picture from now on
+  std::string text = {};          // text: UTF-8, at most 64 bytes
+  Size size = {};                 // size: of the picture from now on
   float scale = 1.0f;             // size: pixels of the picture per pixel that texts are laid out in
 
   bool operator==(const InputEvent&) const = default;
