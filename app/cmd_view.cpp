@@ -143,7 +143,7 @@ ExitCode serve(Subject subject, const ViewOptions& options, const Console& conso
   console.say("to look on only: " + (*server)->viewUrl());
   console.say("on another machine: ssh -L PORT:127.0.0.1:PORT and the same address; Ctrl+C ends");
   while (!stopRequested()) std::this_thread::sleep_for(std::chrono::milliseconds(50));
-  stream.end();
+  if (const std::string farewell = stream.end(); !farewell.empty()) console.say(farewell);
   server->reset();
   return ExitCode::stopped;
 }

@@ -25,6 +25,7 @@ class LiveModel final : public ViewModel {
   void describe(PanelModel& panel) const override;
   const std::vector<ViewBed>& beds() const override { return beds_; }
   std::uint64_t version() const override { return now_->number; }
+  std::string farewell() const override { return tap_.farewell(); }
 
   /// Ends a recording; what went wrong with it.
   std::optional<Diagnostic> stopRecording() { return tap_.stop(); }

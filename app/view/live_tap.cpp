@@ -28,6 +28,10 @@ void LiveTap::accept(const FramePtr& frame) {
     const std::lock_guard lock(mutex_);
     last_ = frame;
     series_.observe(*frame);
+    seen_ = std::chrono::steady_clock::now();
+    if (!begun_) begun_ = seen_;
+    if (frame->time > lastTime_) simulated_ += frame->time - lastTime_;
+    lastTime_ = frame->time;
   }
   if (!recorder_) return;
   recorder_->accept(frame);
@@ -93,6 +97,13 @@ std::string LiveTap::recording() const {
 std::optional<Diagnostic> LiveTap::failure() const {
   const std::lock_guard lock(mutex_);
   return failure_;
+}
+
+std::string LiveTap::farewell() const {
+  const std::lock_guard lock(mutex_);
+  if (!begun_) return {};
+  return fmt::format("simulated {:.4g} s in {:.4g} s", simulated_,
+                     std::chrono::duration<double>(*seen_ - *begun_).count());
 }
 
 std::vector<PanelChart> LiveTap::charts() const {

@@ -5,6 +5,7 @@
 #include "app/view/view_series.h"
 #include "engine/live_run.h"
 
+#include <chrono>
 #include <filesystem>
 #include <memory>
 #include <mutex>
@@ -34,6 +35,8 @@ class LiveTap final : public FrameTap {
   std::optional<Diagnostic> failure() const;
 
   std::vector<PanelChart> charts() const;
+  /// "simulated 3 s in 4.1 s", of all frames so far.
+  std::string farewell() const;
 
  private:
   // With the recorder's lock.
@@ -49,6 +52,8 @@ class LiveTap final : public FrameTap {
   FramePtr last_;
   std::unique_ptr<LiveRecorder> recorder_;
   std::optional<Diagnostic> failure_;
+  double simulated_ = 0.0, lastTime_ = 0.0;  // s
+  std::optional<std::chrono::steady_clock::time_point> begun_, seen_;
   bool films_ = false;
 };
 

@@ -57,6 +57,7 @@ struct PictureStream::State {
   Clock::time_point lastDraw = Clock::now(), lastNews = lastDraw;
   std::string cursor = "default";
   bool keyboard = false;
+  std::string farewell;
   std::jthread thread;  // last: joins before the rest goes
 
   bool someoneIsReady() const {
@@ -184,11 +185,15 @@ Result<Done> PictureStream::begin(const MakeSession& make, StreamOutput& output)
     if (!session || !jpeg) return begun.set_value(session ? jpeg.problems : session.problems);
     begun.set_value(Done{});
     s.run(*session, *jpeg, stop);
+    s.farewell = session->model().farewell();
   });
   return outcome.get();
 }
 
-void PictureStream::end() { state_->thread = {}; }
+std::string PictureStream::end() {
+  state_->thread = {};
+  return state_->farewell;
+}
 
 void PictureStream::joined(ClientId client, Role role) {
   state_->post([s = state_.get(), client, role] { s->clients.emplace(client, StreamClient(role)); });

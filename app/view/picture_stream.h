@@ -33,8 +33,8 @@ class PictureStream final : public ViewHost {
 
   /// Begins; returns when the session is there, or why it is not. `output` must outlive the stream's end().
   Result<Done> begin(const MakeSession& make, StreamOutput& output);
-  /// Ends the session: recordings are closed. No client is sent anything any more.
-  void end();
+  /// Ends the session: recordings are closed, no client is sent anything any more. What its model says last.
+  std::string end();
 
   void joined(ClientId client, Role role) override;
   void changed(ClientId client, Role role) override;

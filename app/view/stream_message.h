@@ -14,9 +14,9 @@ enum class StreamKind : std::uint8_t {
   jpeg = 1,      // a picture by itself
   h264Key = 2,   // a picture that a decoder can begin with, Annex B
   h264Next = 3,  // one that follows the one before
-  notice = 4,    // JSON, UTF-8: {"role": "controller" | "viewer", "mayControl": true}, {"cursor": "ew-resize"},
-                 // {"keyboard": true}: a text is being edited, {"saved": "/saved/NAME"},
-                 // {"ended": "why"}
+  notice = 4,  // JSON, UTF-8: {"role": "controller" | "viewer", "mayControl": true}, {"cursor": "ew-resize"},
+               // {"keyboard": true}: a text is being edited, {"saved": "/saved/NAME"},
+               // {"ended": "why"}
 };
 
 /// The header before it: 16 bytes, little-endian.

@@ -216,7 +216,7 @@ class HttpConnection : public std::enable_shared_from_this<HttpConnection> {
     const Request& request = parser_->get();
     // The page may load nothing but its own files and be shown in no other page.
     answer.set(
-        http::field::content_security_policy,
+        "Content-Security-Policy",
         fmt::format("default-src 'none'; script-src 'self'; style-src 'self'; img-src 'self' blob: data:; "
                     "connect-src 'self' ws://{}; base-uri 'none'; form-action 'none'; frame-ancestors 'none'",
                     view(request[http::field::host])));

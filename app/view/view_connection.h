@@ -32,6 +32,8 @@ struct PublishedFile {
 
 /// What all connections know.
 struct ViewRoom {
+  ViewRoom(const ListenOptions& listen, ViewHost& tells) : options(listen), host(tells) {}
+
   ListenOptions options;
   ViewHost& host;
   Tokens tokens;

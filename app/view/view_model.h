@@ -35,6 +35,8 @@ class ViewModel {
   virtual const std::vector<ViewBed>& beds() const = 0;
   /// Grows when there is something new to show.
   virtual std::uint64_t version() const = 0;
+  /// What there is to say when it ends; empty for nothing.
+  virtual std::string farewell() const { return {}; }
 };
 
 }  // namespace bedmix

@@ -62,7 +62,7 @@ struct ViewServer::State {
   ViewRoom room;
   std::jthread thread;
 
-  State(const ListenOptions& options, ViewHost& host) : room{.options = options, .host = host} {}
+  State(const ListenOptions& options, ViewHost& host) : room(options, host) {}
 
   void accept() {
     acceptor.async_accept([this](boost::system::error_code error, Socket socket) {

@@ -99,7 +99,8 @@ void transportSection(const PanelModel& model, PanelActions& actions) {
     actions.push_back({PanelAction::Play{!model.isPlaying}});
   speedSlider(model, actions);
   if (model.isLive)
-    text(fmt::format("t = {:.2f} s, {:.2g} x real time", model.time, model.reached));
+    text(fmt::format("t = {:.2f} s{}", model.time,
+                     model.reached > 0.0 ? fmt::format(", {:.2g} x real time", model.reached) : ""));
   else
     text(fmt::format("frame {} of {}", model.frame + 1, model.frames));
   if (!model.trouble.empty()) troubleText(model.trouble);
