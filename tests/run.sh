@@ -9,7 +9,7 @@ cd "$(dirname "${BASH_SOURCE[0]}")/.."
 source app/setup.sh
 
 cmake --preset debug
-cmake --build --preset debug --target test_core test_dem test_replay fuzz_scene fuzz_checkpoint fuzz_trajectory fuzz_foreign fuzz_dump
+cmake --build --preset debug --target test_core test_dem test_replay fuzz_scene fuzz_checkpoint fuzz_trajectory fuzz_foreign fuzz_dump fuzz_message
 ctest --preset debug --label-regex 'unit|fuzz' --parallel "$(nproc)"
 
 cmake --preset tsan

@@ -6,6 +6,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstdint>
+#include <utility>
 
 namespace bedmix {
 namespace {
@@ -171,6 +173,40 @@ TEST_F(PanelTest, IsBelowTheBedOnAPhoneAndScrollsByFinger) {
   send({pointer({from.x, from.y - 300.0f}, 0, true)});
   settle();
   EXPECT_NEAR(panel.item("Picture").value().top, before.top - 300.0f, 2.0f);
+}
+
+/// Whatever a hand or a hostile page does, what is asked for makes sense.
+TEST_F(PanelTest, RandomInputIsSafe) {
+  model.style.layers.add(Layer::sampling);
+  model.picked = PickedParticle{0, 7};
+  model.parameters.push_back({sceneValues(scene).front(), ""});
+  std::uint32_t state = 1;
+  const auto random = [&](std::uint32_t n) {
+    state = state * 1664525u + 1013904223u;
+    return (state >> 8) % n;
+  };
+  std::vector<InputEvent> events;
+  for (int i = 0; i < 20000; ++i) {
+    InputEvent event;
+    event.kind = static_cast<InputEvent::Kind>(random(6));
+    event.at = {static_cast<float>(random(1400)) - 60.0f, static_cast<float>(random(800)) - 40.0f};
+    event.buttons = random(8);
+    event.isTouch = random(4) == 0;
+    event.turn = {0.0f, static_cast<float>(random(200)) - 100.0f};
+    event.key = static_cast<PanelKey>(random(panelKeyNames.size()));
+    event.isDown = random(2) == 0;
+    event.text = random(2) == 0 ? "-1e9" : "\xf0\x9f\x98\x80";
+    events.push_back(event);
+    if (random(10) != 0) continue;
+    for (const PanelAction& action : send(std::exchange(events, {}))) {
+      if (const auto* cells = std::get_if<PanelAction::Resample>(&action.what)) {
+        EXPECT_GE(cells->columns, 1);
+        EXPECT_GE(cells->rows, 1);
+        EXPECT_GE(cells->minParticles, 1);
+      }
+      if (const auto* speed = std::get_if<PanelAction::Speed>(&action.what)) EXPECT_GE(speed->speed, 0.0);
+    }
+  }
 }
 
 TEST_F(PanelTest, RefusedInputOfNoKeyIsSafe) {
