@@ -1,17 +1,17 @@
 # SPDX-License-Identifier: MIT
 # shellcheck shell=bash
 # Sourced by app/demo.sh and tests/run.sh from the repository's root: installs what of app/packages.txt is
-# missing. Where nothing is, neither apt nor the network is touched.
+# missing; install_packages does so for another list. Where nothing is, neither apt nor the network is touched.
 
 give_up() {
   echo "bedmix: $*" >&2
   exit 1
 }
 
-install_packages() {
+install_packages() { # LIST
   local wanted present missing as_root=()
-  wanted=$(sed 's/#.*//' app/packages.txt)
-  command -v dpkg-query >/dev/null || give_up "this is no Debian system; install the packages of app/packages.txt by hand"
+  wanted=$(sed 's/#.*//' "$1")
+  command -v dpkg-query >/dev/null || give_up "this is no Debian system; install the packages of $1 by hand"
   # shellcheck disable=SC2086  # a list of words
   present=$(dpkg-query -W -f '${db:Status-Abbrev} ${Package}\n' $wanted 2>/dev/null | sed -n 's/^.i *//p') || true
   # shellcheck disable=SC2086
@@ -29,4 +29,4 @@ install_packages() {
     give_up "apt-get could not install: $missing"
 }
 
-install_packages
+install_packages app/packages.txt

@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: MIT
+// What the browser's tests and the benchmark have in common: a view, a browser, and waiting for what comes.
+import {spawn} from "node:child_process";
+import {existsSync, mkdirSync} from "node:fs";
+import path from "node:path";
+
+export const program = path.resolve(process.env.BEDMIX);
+export const folder = path.resolve(process.env.OUT);
+export const chromium = ["/usr/bin/chromium", "/usr/bin/chromium-browser"].find(existsSync);
+const patience = 60000;  // ms, that a condition is waited for
+
+mkdirSync(folder, {recursive: true});
+
+/** Runs bedmix to its end; what it said. */
+export function run(...args) {
+  return new Promise((resolve, reject) => {
+    const child = spawn(program, args, {cwd: folder});
+    let err = "";
+    child.stderr.on("data", (data) => (err += data));
+    child.on("close", (code) => (code === 0 ? resolve(err) : reject(new Error(`bedmix ${args.join(" ")}: ${code}\n${err}`))));
+  });
+}
+
+/** A running `bedmix view`. */
+export class View {
+  static start(...args) {
+    return new Promise((resolve, reject) => {
+      const view = new View();
+      view.err = "";
+      view.child = spawn(program, ["view", ...args], {cwd: folder});
+      view.child.stderr.on("data", (data) => (view.err += data));
+      view.ended = new Promise((done) => view.child.on("close", done));
+      view.ended.then((code) => reject(new Error(`bedmix view ended: ${code}\n${view.err}`)));
+      view.child.stdout.once("data", async (data) => {
+        view.url = data.toString().trim();
+        await until("the address for viewers", () => view.err.includes("to look on only: "));
+        view.viewUrl = view.err.match(/to look on only: (\S+)/)[1];
+        resolve(view);
+      });
+    });
+  }
+  /** Stops it as Ctrl+C does; its exit code. */
+  stop() {
+    this.child.kill("SIGTERM");
+    return this.ended;
+  }
+}
+
+/** Waits until `condition` gives something true, and gives that. */
+export async function until(what, condition, most = patience) {
+  for (const start = Date.now(); Date.now() - start < most;) {
+    const value = await condition();
+    if (value) return value;
+    await new Promise((done) => setTimeout(done, 50));
+  }
+  throw new Error(`in ${most / 1000} s there was not: ${what}`);
+}
+
+export async function launch() {
+  const {chromium: browserType} = await import(path.resolve(process.env.PLAYWRIGHT, "node_modules/playwright-core/index.mjs"));
+  return browserType.launch({executablePath: chromium, args: ["--no-sandbox", "--disable-gpu"]});
+}
+
+/** A page that shows the view, with pictures coming. */
+export async function open(browser, url, {width = 1280, height = 720, ...options} = {}) {
+  const context = await browser.newContext({viewport: {width, height}, ...options});
+  const page = await context.newPage();
+  page.problems = [];
+  page.on("pageerror", (error) => page.problems.push(String(error)));
+  page.on("console", (message) => message.type() === "error" && page.problems.push(message.text()));
+  await page.goto(url);
+  await until("pictures", async () => (await stats(page)).pictures > 2);
+  return page;
+}
+
+export const stats = (page) => page.evaluate(() => ({...window.bedmixStats}));
+
+/** Pixels of a part of the canvas in CSS pixels, as one number that tells pictures apart. */
+export const fingerprint = (page, part) =>
+  page.evaluate(({left, top, width, height}) => {
+    const canvas = document.getElementById("picture"), scale = canvas.width / window.innerWidth;
+    const data = canvas.getContext("2d").getImageData(left * scale, top * scale, width * scale, height * scale).data;
+    let hash = 7;
+    for (let i = 0; i < data.length; i += 4) hash = (31 * hash + data[i] + 3 * data[i + 1] + 7 * data[i + 2]) | 0;
+    return hash;
+  }, part);
+
+/** How many rows of a part of the canvas have particles in them: black or green. */
+export const bedRows = (page, part) =>
+  page.evaluate(({left, top, width, height}) => {
+    const canvas = document.getElementById("picture"), scale = canvas.width / window.innerWidth;
+    const data = canvas.getContext("2d").getImageData(left * scale, top * scale, width * scale, height * scale);
+    let rows = 0;
+    for (let y = 0; y < data.height; ++y) {
+      let green = 0;
+      for (let x = 0; x < data.width; ++x) {
+        const i = 4 * (y * data.width + x);
+        if (data.data[i] < 90 && data.data[i + 1] > 120 && data.data[i + 2] > 70 && data.data[i + 2] < 150) ++green;
+      }
+      if (green > 2) ++rows;
+    }
+    return rows / scale;
+  }, part);
+
+/** Waits for the sharp picture that a view at rest sends, so that pixels can be compared. */
+export async function settle(page) {
+  const before = (await stats(page)).sharp;
+  await until("a sharp picture", async () => (await stats(page)).sharp > before);
+}
+
+export const screenshot = (page, name) => page.screenshot({path: path.join(folder, `${name}.png`)});
