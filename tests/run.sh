@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: MIT
 # Everything CI runs: under AddressSanitizer and UndefinedBehaviorSanitizer the unit tests of what reads files and
 # of the particles' loops and a short run of the fuzz targets, under ThreadSanitizer a run with all threads the
-# program has, then all tests as users build them. All of it under sanitizers:
+# program has and one that is steered, then all tests as users build them. All of it under sanitizers:
 # cmake --preset debug && cmake --build --preset debug && ctest --preset debug, and likewise with tsan
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
@@ -14,8 +14,8 @@ cmake --build --preset debug --target test_core test_dem test_replay fuzz_scene 
 ctest --preset debug --label-regex 'unit|fuzz' --parallel "$(nproc)"
 
 cmake --preset tsan
-cmake --build --preset tsan --target test_live
-ctest --preset tsan --tests-regex '^Live\.' --no-tests=error
+cmake --build --preset tsan --target test_live test_live_run
+ctest --preset tsan --tests-regex '^Live(Run)?\.' --no-tests=error
 
 cmake --preset release
 cmake --build --preset release

@@ -9,6 +9,7 @@
 #include "engine/simulation.h"
 #include "tests/bench/beds.h"
 
+#include <algorithm>
 #include <benchmark/benchmark.h>
 #include <cstddef>
 #include <map>
@@ -35,10 +36,18 @@ void countParticles(benchmark::State& state) {
       benchmark::Counter(items, benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
 }
 
+/// As the integrators choose it.
+double innerSkin(const BedState& bed) {
+  double fastest = 0.0;  // m/s
+  for (const Vec2 v : bed.particles.velocity) fastest = std::max(fastest, norm(v));
+  return bed.contacts.innerSkin(bed.step * fastest);
+}
+
 /// Sorts the particles, which are in order from the second time on, and finds candidates.
 bool makeList(BedState& bed, ContactSlots& spare) {
   if (!bed.sort()) return false;
-  for (std::size_t b = 0; b < bed.contacts.blocks(); ++b) bed.contacts.find(b, bed.bodies, spare);
+  const double skin = innerSkin(bed);
+  for (std::size_t b = 0; b < bed.contacts.blocks(); ++b) bed.contacts.find(b, skin, bed.bodies, spare);
   bed.contacts.link();
   return true;
 }
@@ -66,8 +75,9 @@ void refreshList(benchmark::State& state, MakeBed make) {
   BedState bed(scene, bedOf(make, state.range(0)), bedWalls(scene), oneThread());
   ContactSlots spare;
   if (!makeList(bed, spare)) return state.SkipWithError("not finite");
+  const double skin = innerSkin(bed);
   for (auto _ : state)
-    for (std::size_t b = 0; b < bed.contacts.blocks(); ++b) bed.contacts.refresh(b, bed.bodies, spare);
+    for (std::size_t b = 0; b < bed.contacts.blocks(); ++b) bed.contacts.refresh(b, skin, bed.bodies, spare);
   countParticles(state);
   state.counters["near"] = perParticle(bed, [](const ContactBlock& b) { return b.near.count; });
 }
@@ -77,7 +87,8 @@ void evaluateContacts(benchmark::State& state, MakeBed make) {
   BedState bed(scene, bedOf(make, state.range(0)), bedWalls(scene), oneThread());
   ContactSlots spare;
   if (!makeList(bed, spare)) return state.SkipWithError("not finite");
-  const ContactForces forces(scene, 0.5 * scene.time.step);
+  ContactForces forces(scene);
+  forces.setStep(scene.time.step);
   const Motion at{bed.bodies.data(), bed.spinAhead.data()};
   for (auto _ : state)
     for (std::size_t b = 0; b < bed.contacts.blocks(); ++b)

@@ -177,12 +177,11 @@ TEST(LiveRun, TapGetsEveryFrameInOrderHoweverSlow) {
   live.run.play(true);
   ASSERT_NE(live.waitForStep(500), nullptr);
   live.run.setTap(&tap);
-  ASSERT_EQ(tap.frames.size(), 1u);
-  const std::int64_t first = tap.frames.front()->step;
-  ASSERT_NE(live.waitForStep(first + 5000), nullptr);
+  ASSERT_NE(live.waitForStep(live.run.newest()->frame->step + 5500), nullptr);
   live.run.setTap(nullptr);
   const std::size_t taken = tap.frames.size();
   ASSERT_GE(taken, 11u);
+  const std::int64_t first = tap.frames.front()->step;
   for (std::size_t i = 0; i < taken; ++i)
     EXPECT_EQ(tap.frames[i]->step, first + 500 * static_cast<std::int64_t>(i));
   ASSERT_NE(live.waitForStep(live.run.newest()->frame->step + 1000), nullptr);
