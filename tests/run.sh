@@ -7,7 +7,8 @@
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 source app/setup.sh
-(install_packages app/packages-browser.txt) || echo "bedmix: the tests in a browser are skipped" >&2
+[[ -n $(command -v node) && -n $(command -v npm) && -n $(command -v chromium) ]] ||
+  (install_packages app/packages-browser.txt) || echo "bedmix: the tests in a browser are skipped" >&2
 
 cmake --preset debug
 cmake --build --preset debug --target test_core test_dem test_replay fuzz_scene fuzz_checkpoint fuzz_trajectory fuzz_foreign fuzz_dump fuzz_message
