@@ -15,7 +15,7 @@ struct ViewSession::State {
   Size size;
   float scale;
   ViewFiles files;
-  Panel panel;
+  ControlPanel panel;
   Painter painter;
   std::vector<std::shared_ptr<const Scene>> painted;  // the scenes the painter knows
   std::vector<std::string> missing;                   // by Layer
@@ -93,7 +93,7 @@ bool ViewSession::State::followScenes() {
 void ViewSession::State::resize(Size to, float by) {
   size = to;
   scale = by;
-  panel = Panel(size, scale);
+  panel = ControlPanel(size, scale);
   painter.setPanelGlyphs(panel.glyphs());
   repaintWith(style);
 }
@@ -160,7 +160,7 @@ ViewSession::ViewSession(ViewSession&&) noexcept = default;
 ViewSession& ViewSession::operator=(ViewSession&&) noexcept = default;
 
 Result<ViewSession> ViewSession::create(std::unique_ptr<ViewModel> model, const SessionOptions& options) {
-  Panel panel(options.size, options.scale);
+  ControlPanel panel(options.size, options.scale);
   std::vector<PaintedBed> beds;
   for (const ViewBed& bed : model->beds()) beds.push_back({*bed.scene, bed.name});
   auto painter =
@@ -206,7 +206,7 @@ bool ViewSession::draw(std::span<const InputEvent> events, double seconds, Image
 }
 
 ViewModel& ViewSession::model() { return *state_->model; }
-const Panel& ViewSession::panel() const { return state_->panel; }
+const ControlPanel& ViewSession::panel() const { return state_->panel; }
 Size ViewSession::size() const { return state_->size; }
 std::string_view ViewSession::cursor() const { return state_->panel.cursor(); }
 bool ViewSession::wantsKeyboard() const { return state_->panel.wantsKeyboard(); }

@@ -46,7 +46,7 @@ class ViewSession {
   bool draw(std::span<const InputEvent> events, double seconds, Image& image);
 
   ViewModel& model();
-  const Panel& panel() const;
+  const ControlPanel& panel() const;
   Size size() const;
   std::string_view cursor() const;
   bool wantsKeyboard() const;

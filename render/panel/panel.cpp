@@ -38,7 +38,7 @@ void setLook(float scale) {
 
 }  // namespace
 
-struct Panel::State {
+struct ControlPanel::State {
   Box part, bed;  // of the picture: the panel's and the rest
   UiContext context;
   PanelInput input;
@@ -116,16 +116,16 @@ struct Panel::State {
   }
 };
 
-Panel::Panel(Size size, float scale) : state_(std::make_unique<State>(size, scale)) {}
-Panel::~Panel() = default;
-Panel::Panel(Panel&&) noexcept = default;
-Panel& Panel::operator=(Panel&&) noexcept = default;
+ControlPanel::ControlPanel(Size size, float scale) : state_(std::make_unique<State>(size, scale)) {}
+ControlPanel::~ControlPanel() = default;
+ControlPanel::ControlPanel(ControlPanel&&) noexcept = default;
+ControlPanel& ControlPanel::operator=(ControlPanel&&) noexcept = default;
 
-const GlyphSheet& Panel::glyphs() const { return state_->context.glyphs(); }
-Box Panel::bedPart() const { return state_->bed; }
+const GlyphSheet& ControlPanel::glyphs() const { return state_->context.glyphs(); }
+Box ControlPanel::bedPart() const { return state_->bed; }
 
-std::vector<PanelAction> Panel::update(const PanelModel& model, std::span<const InputEvent> events,
-                                       double seconds) {
+std::vector<PanelAction> ControlPanel::update(const PanelModel& model, std::span<const InputEvent> events,
+                                              double seconds) {
   constexpr float moment = 1e-3f;  // s; ImGui wants time to pass
   State& s = *state_;
   PanelActions actions;
@@ -144,15 +144,15 @@ std::vector<PanelAction> Panel::update(const PanelModel& model, std::span<const 
   return actions;
 }
 
-const UiMesh& Panel::mesh() const { return *state_->mesh; }
-Box Panel::panelPart() const { return state_->part; }
-std::optional<Box> Panel::item(std::string_view label) const {
+const UiMesh& ControlPanel::mesh() const { return *state_->mesh; }
+Box ControlPanel::panelPart() const { return state_->part; }
+std::optional<Box> ControlPanel::item(std::string_view label) const {
   const auto found = state_->items.find(label);
   return found == state_->items.end() ? std::nullopt : std::optional(found->second);
 }
 
-std::string_view Panel::cursor() const { return state_->cursor; }
-bool Panel::wantsKeyboard() const { return state_->isTyping; }
-bool Panel::isRestless() const { return state_->isTyping; }
+std::string_view ControlPanel::cursor() const { return state_->cursor; }
+bool ControlPanel::wantsKeyboard() const { return state_->isTyping; }
+bool ControlPanel::isRestless() const { return state_->isTyping; }
 
 }  // namespace bedmix

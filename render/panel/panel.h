@@ -16,13 +16,13 @@ namespace bedmix {
 
 /// The Dear ImGui panel beside the bed, and what the pointer does to the bed. Knows the model it is shown and
 /// answers with actions; the same models, events and times give the same meshes.
-class Panel {
+class ControlPanel {
  public:
   /// For pictures of `size` whose texts are laid out `scale` times as large.
-  Panel(Size size, float scale);
-  ~Panel();
-  Panel(Panel&&) noexcept;
-  Panel& operator=(Panel&&) noexcept;
+  ControlPanel(Size size, float scale);
+  ~ControlPanel();
+  ControlPanel(ControlPanel&&) noexcept;
+  ControlPanel& operator=(ControlPanel&&) noexcept;
 
   const GlyphSheet& glyphs() const;
   /// What the panel leaves of the picture, for the beds: it is beside them, or below in an upright picture.

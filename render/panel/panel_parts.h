@@ -29,7 +29,7 @@ void numbersSection(const PanelModel& model, PanelActions& actions);
 void parametersSection(const PanelModel& model, PanelActions& actions);
 void savingSection(const PanelModel& model, PanelActions& actions);
 
-// Widgets that a script can find by their label (see Panel::item); of "text###name", by the name.
+// Widgets that a script can find by their label (see ControlPanel::item); of "text###name", by the name.
 bool button(const std::string& label, ImVec2 size = {});
 bool checkBox(const std::string& label, bool* on);
 bool section(const char* label, ImGuiTreeNodeFlags flags = 0);

@@ -89,7 +89,9 @@ void recordedButtons(const PanelModel& model, PanelActions& actions) {
 }  // namespace
 
 void transportSection(const PanelModel& model, PanelActions& actions) {
+  ImGui::PushTextWrapPos(0.0f);
   text(model.title);
+  ImGui::PopTextWrapPos();
   if (model.isLive)
     liveButtons(model, actions);
   else

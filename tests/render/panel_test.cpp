@@ -58,7 +58,7 @@ class PanelTest : public ::testing::Test {
   Scene scene = test::flatBed();
   Frame frame = test::movingFrame(scene, 1.0);
   PanelModel model;
-  Panel panel{size, 1.0f};
+  ControlPanel panel{size, 1.0f};
 };
 
 TEST_F(PanelTest, FastClickIsNotLost) {
@@ -146,7 +146,7 @@ TEST_F(PanelTest, OnlyOneFieldColoursTheGas) {
 }
 
 TEST_F(PanelTest, SameInputGivesTheSameMesh) {
-  Panel other(size, 1.0f);
+  ControlPanel other(size, 1.0f);
   for (int i = 0; i < 3; ++i) other.update(model, {}, 0.03);
   const std::vector<InputEvent> input{pointer(placeOf("play"), 0), pointer(placeOf("play"), 1)};
   panel.update(model, input, 0.03);
@@ -159,7 +159,7 @@ TEST_F(PanelTest, SameInputGivesTheSameMesh) {
 }
 
 TEST_F(PanelTest, IsBelowTheBedOnAPhoneAndScrollsByFinger) {
-  panel = Panel({1170, 2532}, 3.0f);
+  panel = ControlPanel({1170, 2532}, 3.0f);
   place();
   settle();
   EXPECT_GT(panel.panelPart().top, 1000.0f);
@@ -204,7 +204,9 @@ TEST_F(PanelTest, RandomInputIsSafe) {
         EXPECT_GE(cells->rows, 1);
         EXPECT_GE(cells->minParticles, 1);
       }
-      if (const auto* speed = std::get_if<PanelAction::Speed>(&action.what)) EXPECT_GE(speed->speed, 0.0);
+      if (const auto* speed = std::get_if<PanelAction::Speed>(&action.what)) {
+        EXPECT_GE(speed->speed, 0.0);
+      }
     }
   }
 }

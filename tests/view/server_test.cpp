@@ -197,8 +197,13 @@ TEST_F(ViewServerFaults, WrongMessagesEndTheirConnectionAlone) {
   for (const std::string& wrong :
        {std::string("{"), std::string(R"({"type":"run"})"), std::string(3 * longestClientMessage, ' ')}) {
     TestClient bad(url);
-    bad.send(wrong);
-    EXPECT_THROW(bad.hears("anything"), boost::system::system_error) << wrong.substr(0, 20);
+    EXPECT_THROW(
+        {
+          bad.send(wrong);
+          bad.hears("anything");
+        },
+        boost::system::system_error)
+        << wrong.substr(0, 20);
   }
   ASSERT_TRUE(host.comes([&] { return host.roles.size() == 1; }));
   good.send(R"({"type":"leave","n":1})");

@@ -69,7 +69,7 @@ export async function open(browser, url, {width = 1280, height = 720, ...options
   page.on("pageerror", (error) => page.problems.push(String(error)));
   page.on("console", (message) => message.type() === "error" && page.problems.push(message.text()));
   await page.goto(url);
-  await until("pictures", async () => (await stats(page)).pictures > 2);
+  await until("pictures", async () => (await stats(page)).pictures > 0);
   return page;
 }
 

@@ -13,12 +13,12 @@ after(() => browser.close());
 /** With a view and its page, which are closed whatever happens. */
 async function withView(args, options, use) {
   const view = await View.start(...args);
-  const page = await open(browser, view.url, options);
   try {
+    const page = await open(browser, view.url, options);
     await use(page, view);
     assert.deepEqual(page.problems, []);
-  } finally {
     await page.context().close();
+  } finally {
     await view.stop();
   }
 }
@@ -72,8 +72,8 @@ test("a live run is watched, steered and paused", () =>
   }));
 
 test("a recorded run is sought by keys and slider", async () => {
-  await run("run", "tiny", "-o", "tiny", "--force");
-  await withView(["tiny", "--layers", "particles,walls"], {}, async (page) => {
+  await run("run", "tiny", "-o", "recorded", "--force");
+  await withView(["recorded", "--layers", "particles,walls"], {}, async (page) => {
     await page.mouse.move(600, 700);
     await page.keyboard.press("Home");
     await settle(page);
@@ -109,22 +109,13 @@ test("a phone has the panel below the bed and is worked by a finger", () =>
     await screenshot(page, "phone-paused");
   }));
 
-test("JPEG does where the browser has no H.264", async () => {
-  const view = await View.start("tiny");
-  const page = await open(browser, view.url + "#jpeg").catch(async (error) => {
-    await view.stop();
-    throw error;
-  });
-  try {
+test("JPEG does where the browser has no H.264", () =>
+  withView(["tiny"], {}, async (page) => {
     await page.evaluate(() => (location.hash = "#jpeg"));
     await page.reload();
     await until("pictures", async () => (await stats(page)).pictures > 5);
     assert.equal((await stats(page)).codec, "jpeg");
-  } finally {
-    await page.context().close();
-    await view.stop();
-  }
-});
+  }));
 
 test("who looks on cannot steer, and control can be taken", () =>
   withView(["tian-2007-even", "--layers", "particles,walls"], {}, async (page, view) => {
