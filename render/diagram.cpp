@@ -14,7 +14,7 @@ namespace bedmix {
 
 namespace {
 
-using Style = DiagramSeries::Style;
+using SeriesStyle = DiagramSeries::Style;
 
 bool isDrawn(const DiagramPoint& p, const DiagramPanel& panel) {
   return std::isfinite(p.x) && std::isfinite(p.y) && (p.x > 0.0 || !panel.logX) && (p.y > 0.0 || !panel.logY);
@@ -38,17 +38,17 @@ std::string drawing(const DiagramSeries& series, std::size_t number) {
   const auto look =
       fmt::format("linecolor rgb '{}' pointtype {} pointsize 1.5", plotColor(number), 4 + number % 10);
   switch (series.style) {
-    case Style::front:
+    case SeriesStyle::front:
       return "using 1:2 with fsteps linewidth 1 dashtype 3 linecolor rgb '#A0A0A0'";
-    case Style::marked:
+    case SeriesStyle::marked:
       return fmt::format(
           "using 1:2 with points pointtype {} pointsize 3 linewidth 1.5 linecolor rgb '#D55E00'",
           6 + 2 * (number % 4));
-    case Style::background:
+    case SeriesStyle::background:
       return fmt::format("{} linewidth 0.7 linecolor rgb '#B0B0B0' pointtype 7 pointsize 0.8", points);
-    case Style::points:
+    case SeriesStyle::points:
       return fmt::format("{} linewidth 1.3 {}", points, look);
-    case Style::line:
+    case SeriesStyle::line:
       break;
   }
   return fmt::format("using 1:2 with linespoints linewidth 1 dashtype {} {}", plotDashes(number), look);
@@ -86,9 +86,9 @@ void addPanel(std::string& text, const DiagramPanel& panel, std::size_t index) {
     const DiagramSeries& series = panel.series[s];
     const std::string name = fmt::format("$p{}s{}", index, s);
     std::size_t number = 0;
-    if (series.style == Style::marked)
+    if (series.style == SeriesStyle::marked)
       number = marks++;
-    else if (series.style != Style::background)
+    else if (series.style != SeriesStyle::background)
       number = lines++;
     if (!addBlock(blocks, name, series, panel)) continue;
     ++entries;

@@ -47,8 +47,6 @@ Cells sortIntoCells(const Frame& frame, const Scene& scene) {
   return cells;
 }
 
-Vec2 toDouble(Vec2f a) { return {static_cast<double>(a.x), static_cast<double>(a.y)}; }
-
 Vec2 nearestOn(const WallSegment& wall, Vec2 p) {
   const Vec2 along = wall.b - wall.a;
   const double t = dot(p - wall.a, along) / dot(along, along);

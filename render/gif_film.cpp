@@ -10,7 +10,7 @@ namespace bedmix {
 
 namespace {
 
-constexpr AvFormat format{"gif", "gif", ""};
+constexpr AvFormat gifFormat{"gif", "gif", ""};
 constexpr std::uint32_t opaque = 0xff000000;
 
 }  // namespace
@@ -19,7 +19,7 @@ struct GifFilm::State {
   AvFilm film;
   GifPalette palette;
 
-  explicit State(const std::filesystem::path& path) : film(path, format) {}
+  explicit State(const std::filesystem::path& path) : film(path, gifFormat) {}
 };
 
 GifFilm::GifFilm(std::unique_ptr<State> state) : state_(std::move(state)) {}

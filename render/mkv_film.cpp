@@ -14,7 +14,7 @@ namespace {
 /// largest film needs.
 constexpr int slices = 16;
 constexpr int version = 3;  // of FFV1, the one with a checksum for each slice
-constexpr AvFormat format{"ffv1", "matroska", "cluster_time_limit=1000"};  // ms; what a kill may cost
+constexpr AvFormat mkvFormat{"ffv1", "matroska", "cluster_time_limit=1000"};  // ms; what a kill may cost
 
 void setEncoder(AVCodecContext& encoder) {
   encoder.pix_fmt = AV_PIX_FMT_0RGB32;
@@ -41,7 +41,7 @@ MkvFilm::MkvFilm(MkvFilm&&) noexcept = default;
 MkvFilm& MkvFilm::operator=(MkvFilm&&) noexcept = default;
 
 Result<MkvFilm> MkvFilm::create(const std::filesystem::path& path, Size size, double fps) {
-  std::unique_ptr<State> state(new State{{path, format}});
+  std::unique_ptr<State> state(new State{{path, mkvFormat}});
   if (Result<Done> done = state->film.findEncoder(size, av_d2q(fps, 1001000)); !done) return done.problems;
   setEncoder(state->film.encoder());
   if (Result<Done> done = state->film.open(); !done) return done.problems;

@@ -19,7 +19,7 @@ namespace {
 constexpr const char* encoderName = "libx264";
 /// The stream depends on it, so it does not follow the machine.
 constexpr int encoderThreads = 2;
-constexpr AvFormat format{encoderName, "mp4", "movflags=frag_keyframe+empty_moov+default_base_moof"};
+constexpr AvFormat mp4Format{encoderName, "mp4", "movflags=frag_keyframe+empty_moov+default_base_moof"};
 
 }  // namespace
 
@@ -29,7 +29,7 @@ struct Mp4Film::State {
   YuvPicture toYuv;
 
   State(const std::filesystem::path& path, Size size)
-      : target(path), film(path, format), toYuv(size, YuvPicture::Quality::exact) {}
+      : target(path), film(path, mp4Format), toYuv(size, YuvPicture::Quality::exact) {}
   void setEncoder(double fps);
 };
 

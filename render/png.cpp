@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "render/png.h"
 
+#include "render/c_file.h"
 #include "render/part_file.h"
 
 #include <png.h>
@@ -15,11 +16,6 @@
 namespace bedmix {
 
 namespace {
-
-struct Close {
-  void operator()(std::FILE* file) const { std::fclose(file); }
-};
-using File = std::unique_ptr<std::FILE, Close>;
 
 /// libpng's two halves of a picture being written.
 struct PngWriter {
@@ -72,7 +68,7 @@ bool encode(PngWriter& writer, std::FILE* file, const Image& image, const PngOpt
 
 Result<Done> writePng(const std::filesystem::path& path, const Image& image, const PngOptions& options) {
   PartFile part(path);
-  File file(std::fopen(part.path().c_str(), "wb"));
+  CFile file(std::fopen(part.path().c_str(), "wb"));
   if (!file) return part.failure(std::strerror(errno));
 
   std::vector<png_text> text;

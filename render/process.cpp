@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "render/process.h"
 
+#include "render/c_file.h"
+
 #include <array>
 #include <cerrno>
 #include <cstdio>
@@ -13,18 +15,11 @@ extern char** environ;
 
 namespace bedmix {
 
-namespace {
-
-struct Close {
-  void operator()(std::FILE* file) const { std::fclose(file); }
-};
-using File = std::unique_ptr<std::FILE, Close>;
-
-}  // namespace
+namespace {}  // namespace
 
 Result<ProcessEnd> runProcess(const std::vector<std::string>& command, const std::string& input) {
   // Unnamed files instead of pipes: nothing can block, and nobody gets a SIGPIPE.
-  const File in(std::tmpfile()), out(std::tmpfile());
+  const CFile in(std::tmpfile()), out(std::tmpfile());
   if (!in || !out || std::fwrite(input.data(), 1, input.size(), in.get()) != input.size() ||
       std::fflush(in.get()) != 0)
     return Diagnostic{{}, std::string("no temporary file: ") + std::strerror(errno), Trouble::file};

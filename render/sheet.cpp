@@ -32,7 +32,7 @@ constexpr float titleBand = 1.9f;      // em, above the panels of a run that has
 constexpr float runGap = 0.9f;         // em, between runs
 constexpr float labelBand = 1.5f;      // em, above a panel
 constexpr float scaleBarBand = 1.6f;   // em, below the last row
-constexpr float legendWidth = 13.0f;   // em
+constexpr float keyWidth = 13.0f;      // em
 constexpr std::size_t longestRow = 9;
 constexpr float inner = pageWidth - 2.0f * margin * em;
 
@@ -126,12 +126,12 @@ Page arrange(std::span<const SheetRun> runs, const Style& style, const Hud& hud)
   if (page.legendRows > 0) {
     const Grid& first = page.runs.front();
     const float height = hudLine * static_cast<float>(page.legendRows) * em;
-    if (panels + (gap + legendWidth) * em <= inner) {  // beside the panels
+    if (panels + (gap + keyWidth) * em <= inner) {  // beside the panels
       page.legend = {(margin + gap) * em + panels, first.first.y - first.bed.y};
-      width = std::max(width, panels + (gap + legendWidth) * em);
+      width = std::max(width, panels + (gap + keyWidth) * em);
       bottom = std::max(bottom, page.legend.y + height);
     } else {  // beside the scale bar
-      page.legend = {(margin + legendWidth) * em, top};
+      page.legend = {(margin + keyWidth) * em, top};
       bottom = std::max(bottom, top + height + 0.5f * margin * em);
     }
   }

@@ -19,7 +19,7 @@ namespace {
 constexpr double steps[] = {10.0, 20.0, 40.0, 50.0, 100.0, 200.0, 400.0};        // of T
 constexpr double fineSteps = 3200.0;                                             // of T, of the reference
 constexpr double gasSteps[] = {0.1, 0.2, 0.5, 1.0, 2.0, 5.0, 10.0, 20.0, 50.0};  // of the scene's
-constexpr double errors[] = {0.3, 0.1, 0.03, 0.01, 0.003, 0.001};                // time.error
+constexpr double stepErrors[] = {0.3, 0.1, 0.03, 0.01, 0.003, 0.001};            // time.error
 constexpr double gasErrors[] = {0.4, 0.2, 0.1, 0.05, 0.02};
 constexpr double usualSteps = 100.0,
                  usualGasSteps = 10.0;  // a scene's without lengths: of T, of the particles'
@@ -158,7 +158,7 @@ class Designer {
       design_.sweeps.push_back(std::move(sweep));
     }
     Sweep chosen{"time.error, verlet-onset", "", reference, {}};
-    for (const double error : errors) {
+    for (const double error : stepErrors) {
       Scene changed = fixed_;
       changed.time.integrator = Integrator::verletOnset;
       changed.time.step = StepLength::automatic();

@@ -33,5 +33,6 @@ T norm(Vec2T<T> a) {
   return std::sqrt(dot(a, a));
 }
 constexpr Vec2f toFloat(Vec2 a) { return {static_cast<float>(a.x), static_cast<float>(a.y)}; }
+constexpr Vec2 toDouble(Vec2f a) { return {static_cast<double>(a.x), static_cast<double>(a.y)}; }
 
 }  // namespace bedmix

@@ -7,7 +7,7 @@ namespace bedmix {
 
 namespace {
 
-constexpr int worthSharing = 1000;  // cells of a level; the first member alone sees to smaller ones
+constexpr int worthSharingLevel = 1000;  // cells of a level; the first member alone sees to smaller ones
 
 }  // namespace
 
@@ -39,7 +39,7 @@ void Multigrid::prepare(Member& member, const std::vector<double>& conductance) 
 
 void Multigrid::prepareFrom(Member& member, std::size_t l) {
   GridLevel& level = levels_[l];
-  if (level.cells() < worthSharing && member.shares()) {
+  if (level.cells() < worthSharingLevel && member.shares()) {
     Member alone;
     if (member.first()) prepareFrom(alone, l);
     return member.wait();
@@ -54,7 +54,7 @@ void Multigrid::prepareFrom(Member& member, std::size_t l) {
 
 void Multigrid::cycle(Member& member, std::size_t l) {
   GridLevel& level = levels_[l];
-  if (level.cells() < worthSharing && member.shares()) {
+  if (level.cells() < worthSharingLevel && member.shares()) {
     Member alone;
     if (member.first()) cycle(alone, l);
     return;

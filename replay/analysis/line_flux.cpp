@@ -9,8 +9,6 @@ namespace bedmix {
 
 namespace {
 
-Vec2 toDouble(Vec2f a) { return {a.x, a.y}; }
-
 /// Twice the area between the line and a point; above 0 on its left.
 double leftOf(const FluxLine& line, Vec2 at) {
   const Vec2 along = line.to - line.from, away = at - line.from;

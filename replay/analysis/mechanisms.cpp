@@ -10,7 +10,6 @@ namespace bedmix {
 
 namespace {
 
-Vec2 toDouble(Vec2f a) { return {static_cast<double>(a.x), static_cast<double>(a.y)}; }
 Vec2 times(Vec2 a, Vec2 b) { return {a.x * b.x, a.y * b.y}; }
 
 /// The linear field of displacements of a cell.
