@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 // What the browser's tests and the benchmark have in common: a view, a browser, and waiting for what comes.
 import {spawn} from "node:child_process";
-import {existsSync, mkdirSync} from "node:fs";
+import {mkdirSync} from "node:fs";
 import path from "node:path";
 
 export const program = path.resolve(process.env.BEDMIX);
 export const folder = path.resolve(process.env.OUT);
-export const chromium = ["/usr/bin/chromium", "/usr/bin/chromium-browser"].find(existsSync);
+const chromium = "/usr/bin/chromium";
 const patience = 60000;  // ms, that a condition is waited for
 
 mkdirSync(folder, {recursive: true});
@@ -69,7 +69,9 @@ export async function open(browser, url, {width = 1280, height = 720, ...options
   page.on("pageerror", (error) => page.problems.push(String(error)));
   page.on("console", (message) => message.type() === "error" && page.problems.push(message.text()));
   await page.goto(url);
-  await until("pictures", async () => (await stats(page)).pictures > 0);
+  await until("pictures", async () => (await stats(page)).pictures > 0).catch((error) => {
+    throw new Error(`${error.message}; the page says: ${page.problems.join(", ")}`);
+  });
   return page;
 }
 
@@ -85,22 +87,57 @@ export const fingerprint = (page, part) =>
     return hash;
   }, part);
 
-/** How many rows of a part of the canvas have particles in them: black or green. */
-export const bedRows = (page, part) =>
+/** How high above the bed's floor its particles are in the mean, in CSS pixels: of those that are green. */
+export const bedHeight = (page, part) =>
   page.evaluate(({left, top, width, height}) => {
     const canvas = document.getElementById("picture"), scale = canvas.width / window.innerWidth;
-    const data = canvas.getContext("2d").getImageData(left * scale, top * scale, width * scale, height * scale);
-    let rows = 0;
-    for (let y = 0; y < data.height; ++y) {
-      let green = 0;
-      for (let x = 0; x < data.width; ++x) {
-        const i = 4 * (y * data.width + x);
-        if (data.data[i] < 90 && data.data[i + 1] > 120 && data.data[i + 2] > 70 && data.data[i + 2] < 150) ++green;
-      }
-      if (green > 2) ++rows;
+    const {data, width: columns, height: rows} = canvas.getContext("2d").getImageData(
+      left * scale, top * scale, width * scale, height * scale);
+    let sum = 0, count = 0, lowest = 0;
+    for (let i = 0; i < 4 * columns * rows; i += 4) {
+      if (data[i] > 90 || data[i + 1] < 120 || data[i + 2] < 70 || data[i + 2] > 150) continue;
+      lowest = Math.floor(i / 4 / columns);
+      sum += lowest;
+      ++count;
     }
-    return rows / scale;
+    return count === 0 ? 0 : (lowest - sum / count) / scale;
   }, part);
+
+/** The panel's sliders that are wholly to be seen, from top to bottom, in CSS pixels: each has a grab of a blue of
+ *  its own in a frame. `grab` is its middle. */
+export const sliders = (page, panel) =>
+  page.evaluate(({left, top, width, height}) => {
+    const canvas = document.getElementById("picture"), scale = canvas.width / window.innerWidth;
+    const {data, width: columns, height: rows} = canvas.getContext("2d").getImageData(
+      left * scale, top * scale, width * scale, height * scale);
+    const isBlue = (x, y, blue, slack) => {
+      const i = 4 * (y * columns + x);
+      return blue.every((value, c) => Math.abs(data[i + c] - value) < slack);
+    };
+    const grabs = [[61, 133, 224], [66, 150, 250]];  // at rest, and under the pointer
+    const found = [];
+    let above = null;
+    for (let y = 0; y < rows; ++y) {
+      let first = -1, last = -1;
+      for (let x = 0; x < columns; ++x)
+        if (grabs.some((grab) => isBlue(x, y, grab, 24))) {
+          if (first < 0) first = x;
+          last = x;
+        }
+      const isGrab = last - first >= 8 * scale && last - first < 24 * scale;
+      // A check mark is where no frame is beside it.
+      const middle = Math.round(columns / 2), beside = first > middle ? Math.round(0.1 * columns) : Math.round(0.9 * columns);
+      if (isGrab && !isBlue(beside, y, [28, 32, 38], 10)) {
+        above ??= {from: y, grab: (first + last) / 2};
+        above.to = y;
+      } else if (above) {
+        if (above.to - above.from > 8 * scale)
+          found.push({y: top + (above.from + above.to) / 2 / scale, grab: left + above.grab / scale});
+        above = null;
+      }
+    }
+    return found;
+  }, panel);
 
 /** Waits for the sharp picture that a view at rest sends, so that pixels can be compared. */
 export async function settle(page) {
@@ -109,3 +146,6 @@ export async function settle(page) {
 }
 
 export const screenshot = (page, name) => page.screenshot({path: path.join(folder, `${name}.png`)});
+
+/** What the bar of the page says. */
+export const said = (page) => page.evaluate(() => document.getElementById("bar").hidden ? "" : document.getElementById("said").textContent);

@@ -18,10 +18,10 @@ skip() {
 
 command -v node >/dev/null || skip "there is no Node.js"
 command -v npm >/dev/null || skip "there is no npm"
-command -v chromium >/dev/null || skip "there is no chromium"
+[[ -x /usr/bin/chromium ]] || skip "there is no chromium"
 if [[ ! -d $OUT/node_modules/playwright-core ]]; then
   cp package.json package-lock.json "$OUT"
-  (cd "$OUT" && npm ci --no-audit --no-fund >npm.log 2>&1) || skip "npm cannot install playwright-core, see $OUT/npm.log"
+  (cd "$OUT" && timeout 120 npm ci --no-audit --no-fund --fetch-retries=1 >npm.log 2>&1) || skip "npm cannot install playwright-core, see $OUT/npm.log"
 fi
 export BEDMIX OUT PLAYWRIGHT=$OUT
 node --test scenarios.mjs
