@@ -130,7 +130,7 @@ export const sliders = (page, panel) =>
       if (isGrab && !isBlue(beside, y, [28, 32, 38], 10)) {
         above ??= {from: y, grab: (first + last) / 2};
         above.to = y;
-      } else if (above) {
+      } else if (above && y - above.to > 12 * scale) {  // not just the slider's text over it
         if (above.to - above.from > 8 * scale)
           found.push({y: top + (above.from + above.to) / 2 / scale, grab: left + above.grab / scale});
         above = null;

@@ -14,11 +14,15 @@ after(() => browser.close());
 /** With a view and its page, which are closed whatever happens. */
 async function withView(args, options, use) {
   const view = await View.start(...args);
+  let page;
   try {
-    const page = await open(browser, view.url, options);
+    page = await open(browser, view.url, options);
     await use(page, view);
     assert.deepEqual(page.problems, []);
     await page.context().close();
+  } catch (error) {
+    if (page) await screenshot(page, "failed");
+    throw error;
   } finally {
     await view.stop();
   }
@@ -175,7 +179,7 @@ test("JPEG does where the browser has no H.264", () =>
     await other.context().close();
   }));
 
-test("a picture that is saved is downloaded", () =>
+test("a scene that is saved is downloaded", () =>
   withView(["tiny"], {height: 1600}, async (page) => {
     const column = 1280 - panelWidth / 2;
     /** Middles of the panel's headings, which are wider than anything else. */
@@ -198,9 +202,9 @@ test("a picture that is saved is downloaded", () =>
     const save = await until("the headings", async () => (await headings()).at(-3));
     await page.mouse.click(column, save);
     await until("an open section", async () => (await headings()).at(-2) > save + 40);
-    const coming = page.waitForEvent("download");
-    await page.mouse.click(1280 - panelWidth + 30, save + 2 * 27);  // below those that record
-    assert.match((await coming).suggestedFilename(), /\.png$/);
+    const coming = page.waitForEvent("download", {timeout: 10000});
+    await page.mouse.click(1280 - panelWidth + 92, save + 2 * 27);  // the second, below those that record
+    assert.match((await coming).suggestedFilename(), /\.toml$/);
     await screenshot(page, "saved");
   }));
 
