@@ -3,16 +3,12 @@
 
 namespace bedmix {
 
-namespace {
-
 void noteItem(const std::string& label) {
   auto* const found = static_cast<std::map<std::string, Box, std::less<>>*>(ImGui::GetIO().UserData);
   const std::size_t id = label.find("###");
   const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
   (*found)[id == std::string::npos ? label : label.substr(id + 3)] = {low.x, low.y, high.x, high.y};
 }
-
-}  // namespace
 
 void noteItemsIn(std::map<std::string, Box, std::less<>>* found) { ImGui::GetIO().UserData = found; }
 

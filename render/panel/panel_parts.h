@@ -30,6 +30,8 @@ void parametersSection(const PanelModel& model, PanelActions& actions);
 void savingSection(const PanelModel& model, PanelActions& actions);
 
 // Widgets that a script can find by their label (see ControlPanel::item); of "text###name", by the name.
+/// Notes the last item of ImGui's own under a label.
+void noteItem(const std::string& label);
 bool button(const std::string& label, ImVec2 size = {});
 bool checkBox(const std::string& label, bool* on);
 bool section(const char* label, ImGuiTreeNodeFlags flags = 0);

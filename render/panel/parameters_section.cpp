@@ -28,7 +28,9 @@ void choice(const PanelParameter& parameter, PanelActions& actions) {
 void number(const PanelParameter& parameter, PanelActions& actions) {
   double value = *parameter.value.number;
   const bool isWhole = parameter.value.text.find_first_of(".en") == std::string::npos;
-  ImGui::InputDouble("##value", &value, 0.0, 0.0, isWhole ? "%.0f" : "%.6g");
+  ImGui::InputDouble("##value", &value, 0.0, 0.0, isWhole ? "%.0f" : "%.6g",
+                     ImGuiInputTextFlags_AutoSelectAll);
+  noteItem(parameter.value.path);
   if (ImGui::IsItemDeactivatedAfterEdit())
     change(parameter, isWhole ? fmt::format("{:.0f}", value) : tomlNumber(value), actions);
 }
@@ -70,7 +72,10 @@ void parametersSection(const PanelModel& model, PanelActions& actions) {
     const std::string_view table = tableOf(all[first].value.path);
     std::size_t last = first;
     while (last < all.size() && tableOf(all[last].value.path) == table) ++last;
-    if (ImGui::TreeNode(table.empty() ? "scene" : std::string(table).c_str())) {
+    const std::string name = table.empty() ? "scene" : std::string(table);
+    const bool isOpen = ImGui::TreeNode(name.c_str());
+    noteItem(name);
+    if (isOpen) {
       if (ImGui::BeginTable("keys", 2)) {
         for (std::size_t i = first; i < last; ++i) row(all[i], actions);
         ImGui::EndTable();

@@ -3,7 +3,9 @@
 #include "tests/app/program.h"
 
 #include <algorithm>
-#include <cmath>
+#include <chrono>
+#include <csignal>
+#include <thread>
 
 namespace fs = std::filesystem;
 
@@ -130,14 +132,42 @@ TEST_F(ViewScriptPipeline, TwoRunsAreShownSideBySide) {
   EXPECT_EQ(count("a"), 5u);
 }
 
-TEST_F(ViewScriptPipeline, DivergingRunIsToldAndCanBeRestarted) {
+constexpr const char* startRecording =
+    "[[do]]\nat = 0.1\nclick = \"Save\"\n"
+    "[[do]]\nat = 0.2\nclick = \"Record\"\n";
+
+TEST_F(ViewScriptPipeline, SteeredRunThatBecomesInvalidLosesNothingAndCanBeginAgain) {
+  const auto soften = [](const char* stiffness) {
+    return std::string("[[do]]\nat = 0.3\nclick = \"contacts.stiffness\"\n[[do]]\nat = 0.4\ntype = \"") +
+           stiffness + "\"\n[[do]]\nat = 0.5\nkey = \"Enter\"\n";
+  };
+  const std::string open = std::string(start) + "until = 6.0\n" + startRecording +
+                           "[[do]]\nat = 0.2\nclick = \"All parameters\"\n"
+                           "[[do]]\nat = 0.2\nclick = \"contacts\"\n";
   const Outcome done = play("tiny",
-                            std::string(start) +
-                                "until = 1.0\n"
-                                "[[do]]\nat = 0.0\nclick = \"All parameters\"\n"
-                                "[[do]]\nat = 0.5\nclick = \"Restart\"\n",
+                            open + soften("0.5") + "[[do]]\nat = 4.0\nclick = \"contacts.stiffness\"\n" +
+                                "[[do]]\nat = 4.1\ntype = \"2000\"\n[[do]]\nat = 4.2\nkey = \"Enter\"\n"
+                                "[[do]]\nat = 5.0\nclick = \"Restart\"\n[[do]]\nat = 5.2\nclick = \"play\"\n",
                             "a");
-  EXPECT_EQ(done.exitCode, 0) << done.err;
+  ASSERT_EQ(done.exitCode, 0) << done.err;
+  const int last = static_cast<int>(count("a")) - 1;
+  EXPECT_EQ(differing(picture("a", 74), picture("a", 78), bedWidth), 0u) << "it stands still";
+  EXPECT_GT(differing(picture("a", last - 4), picture("a", last), bedWidth), 0u) << "it runs again";
+  const Outcome replayed = bedmix({"replay", "saved/recording-1", "-o", "replayed"});
+  EXPECT_EQ(replayed.exitCode, 0) << replayed.err;
+  EXPECT_TRUE(fs::exists(folder / "saved/recording-2/trajectory.h5")) << "from the restart on";
+}
+
+TEST_F(ViewScriptPipeline, SignalEndsTheViewAndTheRecordingIsWhole) {
+  writeFile(folder / "script.toml", std::string(start) + "until = 1e5\n" + startRecording);
+  const auto view = this->start({"view", "tiny", "--script", "script.toml", "--frames", "a", "-o", "saved"});
+  while (!fs::exists(folder / "a/frame_000040.png"))
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+  view->send(SIGTERM);
+  EXPECT_EQ(view->wait().exitCode, 130);
+  const Outcome replayed = bedmix({"replay", "saved/recording-1", "-o", "replayed"});
+  EXPECT_EQ(replayed.exitCode, 0) << replayed.err;
+  EXPECT_EQ(readFile(folder / "replayed/mixing.csv"), readFile(folder / "saved/recording-1/mixing.csv"));
 }
 
 TEST_F(ViewScriptPipeline, WrongScriptsAreToldByLine) {
