@@ -17,7 +17,7 @@ const control = document.getElementById("control"), keyboard = document.getEleme
 
 // What a test or a benchmark wants to know.
 const stats = {
-  pictures: 0, bytes: 0, sharp: 0, codec: "", role: "", width: 0, height: 0, startedAt: performance.now(), latencies: [],
+  pictures: 0, bytes: 0, sharp: 0, isSharp: false, codec: "", role: "", width: 0, height: 0, startedAt: performance.now(), latencies: [],
   reset() { Object.assign(this, {pictures: 0, bytes: 0, sharp: 0, startedAt: performance.now(), latencies: []}); },
 };
 window.bedmixStats = stats;
@@ -206,6 +206,7 @@ function draw(image, header) {
   shown = header.picture;
   stats.pictures += 1;
   stats.sharp += header.isSharp ? 1 : 0;
+  stats.isSharp = header.isSharp;
   stats.width = header.width;
   stats.height = header.height;
   const now = performance.now();

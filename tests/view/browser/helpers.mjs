@@ -139,10 +139,14 @@ export const sliders = (page, panel) =>
     return found;
   }, panel);
 
-/** Waits for the sharp picture that a view at rest sends, so that pixels can be compared. */
-export async function settle(page) {
-  const before = (await stats(page)).sharp;
-  await until("a sharp picture", async () => (await stats(page)).sharp > before);
+/** Waits until the view is at rest: the picture is the sharp one, and none has come for a while. */
+export async function settle(page, quiet = 700) {
+  let last = -1, since = 0;
+  await until("a view at rest", async () => {
+    const {pictures, isSharp} = await stats(page);
+    if (pictures !== last || !isSharp) [last, since] = [pictures, Date.now()];
+    return Date.now() - since > quiet;
+  });
 }
 
 export const screenshot = (page, name) => page.screenshot({path: path.join(folder, `${name}.png`)});
