@@ -112,7 +112,7 @@ test("numbers are typed, on keys and as a phone's keyboard does", () =>
     await until("the other velocity", async () => (await grabOf(page, 1)) > low + 150);
   }));
 
-test("a recorded run is sought by keys and slider", async () => {
+test("a recorded run is sought by keys and played", async () => {
   await run("run", "tiny", "-o", "recorded", "--force");
   await withView(["recorded", "--layers", "particles,walls"], {}, async (page) => {
     await page.mouse.move(600, 700);
@@ -127,6 +127,8 @@ test("a recorded run is sought by keys and slider", async () => {
     await page.keyboard.press("Home");
     await until("the start again", async () => (await fingerprint(page, bed)) === start);
     await screenshot(page, "recorded");
+    await page.keyboard.press(" ");
+    await until("a run that is played to its end", async () => (await fingerprint(page, bed)) === end);
   });
 });
 
