@@ -38,11 +38,11 @@ std::size_t differing(const Image& a, const Image& b, int right) {
   return count;
 }
 
-constexpr const char* start = "size = [800, 480]\nfps = 20\n";
+constexpr const char* opening = "size = [800, 480]\nfps = 20\n";
 constexpr int bedWidth = 800 - 330;
 
 TEST_F(ViewScriptPipeline, SameScriptGivesTheSamePictures) {
-  const std::string script = std::string(start) +
+  const std::string script = std::string(opening) +
                              "until = 0.5\n"
                              "[[do]]\nat = 0.1\ndrag = \"velocity 1\"\nto = 0.9\n"
                              "[[do]]\nat = 0.2\nclick = \"velocity\"\n";
@@ -57,7 +57,7 @@ TEST_F(ViewScriptPipeline, SameScriptGivesTheSamePictures) {
 
 TEST_F(ViewScriptPipeline, PauseStopsTheBed) {
   ASSERT_EQ(
-      play("tiny", std::string(start) + "until = 0.6\n[[do]]\nat = 0.1\nclick = \"play\"\n", "a").exitCode,
+      play("tiny", std::string(opening) + "until = 0.6\n[[do]]\nat = 0.1\nclick = \"play\"\n", "a").exitCode,
       0);
   EXPECT_GT(differing(picture("a", 1), picture("a", 3), bedWidth), 0u);
   EXPECT_EQ(differing(picture("a", 7), picture("a", 11), bedWidth), 0u);
@@ -82,7 +82,7 @@ TEST_F(ViewScriptPipeline, MoreGasMakesAHigherBed) {
 
 TEST_F(ViewScriptPipeline, RecordingAndSceneTellWhatWasChanged) {
   const Outcome done = play("tiny",
-                            std::string(start) +
+                            std::string(opening) +
                                 "until = 1.6\n"
                                 "[[do]]\nat = 0.1\nclick = \"Save\"\n"
                                 "[[do]]\nat = 0.2\nclick = \"Record\"\n"
@@ -109,7 +109,7 @@ TEST_F(ViewScriptPipeline, RecordingAndSceneTellWhatWasChanged) {
 TEST_F(ViewScriptPipeline, RecordedRunIsSoughtAndResampled) {
   ASSERT_EQ(bedmix({"run", "tiny", "-o", "run"}).exitCode, 0);
   const Outcome done = play("run",
-                            std::string(start) +
+                            std::string(opening) +
                                 "until = 1.2\n"
                                 "[[do]]\nat = 0.1\nkey = \"End\"\n"
                                 "[[do]]\nat = 0.3\nkey = \"Home\"\n"
@@ -126,7 +126,7 @@ TEST_F(ViewScriptPipeline, RecordedRunIsSoughtAndResampled) {
 TEST_F(ViewScriptPipeline, TwoRunsAreShownSideBySide) {
   ASSERT_EQ(bedmix({"run", "tiny", "-o", "one"}).exitCode, 0);
   ASSERT_EQ(bedmix({"run", "tiny", "-o", "two", "--seed", "2"}).exitCode, 0);
-  writeFile(folder / "script.toml", std::string(start) + "until = 0.2\n[[do]]\nat = 0.05\nkey = \"End\"\n");
+  writeFile(folder / "script.toml", std::string(opening) + "until = 0.2\n[[do]]\nat = 0.05\nkey = \"End\"\n");
   const Outcome done = bedmix({"view", "one", "two", "--script", "script.toml", "--frames", "a"});
   EXPECT_EQ(done.exitCode, 0) << done.err;
   EXPECT_EQ(count("a"), 5u);
@@ -141,7 +141,7 @@ TEST_F(ViewScriptPipeline, SteeredRunThatBecomesInvalidLosesNothingAndCanBeginAg
     return std::string("[[do]]\nat = 0.3\nclick = \"contacts.stiffness\"\n[[do]]\nat = 0.4\ntype = \"") +
            stiffness + "\"\n[[do]]\nat = 0.5\nkey = \"Enter\"\n";
   };
-  const std::string open = std::string(start) + "until = 6.0\n" + startRecording +
+  const std::string open = std::string(opening) + "until = 6.0\n" + startRecording +
                            "[[do]]\nat = 0.2\nclick = \"All parameters\"\n"
                            "[[do]]\nat = 0.2\nclick = \"contacts\"\n";
   const Outcome done = play("tiny",
@@ -159,7 +159,7 @@ TEST_F(ViewScriptPipeline, SteeredRunThatBecomesInvalidLosesNothingAndCanBeginAg
 }
 
 TEST_F(ViewScriptPipeline, SignalEndsTheViewAndTheRecordingIsWhole) {
-  writeFile(folder / "script.toml", std::string(start) + "until = 1e5\n" + startRecording);
+  writeFile(folder / "script.toml", std::string(opening) + "until = 1e5\n" + startRecording);
   const auto view = this->start({"view", "tiny", "--script", "script.toml", "--frames", "a", "-o", "saved"});
   while (!fs::exists(folder / "a/frame_000040.png"))
     std::this_thread::sleep_for(std::chrono::milliseconds(20));
