@@ -88,7 +88,7 @@ Result<ViewSession> makeSession(Subject& subject, const ViewOptions& options, Pa
     const int threads = threadsFor(subject.scene->particles.count, std::max(1, availableCores() - 1));
     model = std::make_unique<LiveModel>(*subject.scene, threads, pace, session.folder);
   } else {
-    model = std::make_unique<RecordedModel>(std::move(subject.runs), options.what, options.recordings);
+    model = std::make_unique<RecordedModel>(std::move(subject.runs), options.what, options.recordings, pace);
   }
   return ViewSession::create(std::move(model), session);
 }

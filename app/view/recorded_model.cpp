@@ -20,8 +20,8 @@ std::size_t frameAt(const std::vector<double>& times, double time) {
 }  // namespace
 
 RecordedModel::RecordedModel(std::vector<RecordedRun> runs, const std::vector<std::string>& names,
-                             const RecordingOptions& options)
-    : beds_(runs.size()), begin_(runs.front().begin()), end_(runs.front().end()) {
+                             const RecordingOptions& options, Pace pace)
+    : beds_(runs.size()), begin_(runs.front().begin()), end_(runs.front().end()), pace_(pace) {
   for (std::size_t i = 0; i < runs.size(); ++i) {
     begin_ = std::min(begin_, runs[i].begin());
     end_ = std::max(end_, runs[i].end());
@@ -64,6 +64,8 @@ void RecordedModel::seek(double time) {
 }
 
 void RecordedModel::refresh(double seconds) {
+  if (pace_ == Pace::ticked)
+    for (const Source& source : sources_) source.scan->finish();
   for (std::size_t i = 0; i < sources_.size(); ++i)
     if (auto found = sources_[i].scan->found(); found != sources_[i].found) {
       sources_[i].found = std::move(found);

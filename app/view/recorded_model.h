@@ -4,6 +4,7 @@
 #include "app/recorded_runs.h"
 #include "app/view/run_scan.h"
 #include "app/view/view_model.h"
+#include "engine/live_run.h"
 
 #include <memory>
 #include <optional>
@@ -15,9 +16,10 @@ namespace bedmix {
 /// Recorded runs, played side by side by one clock.
 class RecordedModel final : public ViewModel {
  public:
-  /// `runs` are opened from `names` with the options.
+  /// `runs` are opened from `names` with the options. With a ticked pace pictures wait for what is derived
+  /// from all frames, so that they are the same each time.
   RecordedModel(std::vector<RecordedRun> runs, const std::vector<std::string>& names,
-                const RecordingOptions& options);
+                const RecordingOptions& options, Pace pace);
 
   void refresh(double seconds) override;
   void act(const PanelAction& action) override;
@@ -46,6 +48,7 @@ class RecordedModel final : public ViewModel {
   std::optional<PickedParticle> picked_;
   double time_ = 0.0, begin_ = 0.0, end_ = 0.0, speed_ = 1.0;  // s
   bool isPlaying_ = false, loops_ = false;
+  Pace pace_;
   std::vector<double> marks_;
   std::string trouble_;
   std::uint64_t version_ = 0;

@@ -31,6 +31,7 @@ struct RunScan::State {
   mutable std::mutex mutex;
   std::condition_variable_any changed;
   std::optional<Wish> wish;
+  bool isScanning = false, hasEnded = false;
   std::shared_ptr<const Found> found = std::make_shared<const Found>();
   std::jthread thread;  // last: joins before the rest goes
 
@@ -65,14 +66,18 @@ struct RunScan::State {
 
   void work(const std::stop_token& stop) {
     auto opened = openRuns(std::span(&run, 1), options);
-    if (!opened) return;
-    for (;;) {
-      std::unique_lock lock(mutex);
-      if (!changed.wait(lock, stop, [&] { return wish.has_value(); })) return;
+    std::unique_lock lock(mutex);
+    while (opened && changed.wait(lock, stop, [&] { return wish.has_value(); })) {
       const Wish asked = *std::exchange(wish, std::nullopt);
+      isScanning = true;
       lock.unlock();
       scan(*opened->front().reader, asked, stop);
+      lock.lock();
+      isScanning = false;
+      changed.notify_all();
     }
+    hasEnded = true;
+    changed.notify_all();
   }
 };
 
@@ -87,6 +92,11 @@ void RunScan::ask(const Wish& wish) {
   const std::lock_guard lock(state_->mutex);
   state_->wish = wish;
   state_->changed.notify_all();
+}
+
+void RunScan::finish() {
+  std::unique_lock lock(state_->mutex);
+  state_->changed.wait(lock, [s = state_.get()] { return s->hasEnded || (!s->wish && !s->isScanning); });
 }
 
 std::shared_ptr<const RunScan::Found> RunScan::found() const {

@@ -32,6 +32,8 @@ class RunScan {
   ~RunScan();
 
   void ask(const Wish& wish);
+  /// Waits until the last wish is fulfilled.
+  void finish();
   /// As far as it has come with the last wish; grows with each.
   std::shared_ptr<const Found> found() const;
 

@@ -24,7 +24,8 @@ InputEvent keyEvent(PanelKey key, bool isDown) {
 }  // namespace
 
 bool ScriptPlayer::atEnd() const {
-  return static_cast<double>(pictures_) / script_.fps > script_.until + 1e-9 && waiting_.empty();
+  const bool isLate = nextStep_ < script_.steps.size() && script_.steps[nextStep_].at <= script_.until + 1e-9;
+  return static_cast<double>(pictures_) / script_.fps > script_.until + 1e-9 && waiting_.empty() && !isLate;
 }
 
 Result<Vec2f> ScriptPlayer::placeOf(const ScriptPlace& place, float share, const ScriptStep& step,

@@ -14,7 +14,7 @@ class ScriptPlayer {
  public:
   explicit ScriptPlayer(const ViewScript& script) : script_(script) {}
 
-  /// Whether the script has ended.
+  /// Whether the script has ended, and all is done that was to be done by then.
   bool atEnd() const;
   /// The next picture, the first at 0 s, into `image`. Fails where a step names something that the panel does
   /// not have.

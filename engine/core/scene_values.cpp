@@ -2,99 +2,60 @@
 #include "engine/core/scene_values.h"
 
 #include "engine/core/scene_keys.h"
+#include "engine/core/scene_reader.h"
 
-#include <fmt/format.h>
-
-#include <type_traits>
+#include <algorithm>
+#include <cctype>
+#include <charconv>
 
 namespace bedmix {
 
 namespace {
 
-class ValueCollector {
- public:
-  explicit ValueCollector(std::vector<SceneValue>& into, std::string prefix = "")
-      : into_(into), prefix_(std::move(prefix)) {}
+/// "gas.inlets.from" of "gas.inlets.0.from".
+std::string withoutNumbers(std::string_view path) {
+  std::string plain;
+  while (!path.empty()) {
+    const std::string_view part = path.substr(0, path.find('.'));
+    path.remove_prefix(std::min(part.size() + 1, path.size()));
+    if (std::isdigit(static_cast<unsigned char>(part.front()))) continue;
+    plain += (plain.empty() ? "" : ".") + std::string(part);
+  }
+  return plain;
+}
 
-  void operator()(const Key& key, double& v) { add(key, tomlNumber(v), v); }
-  void operator()(const Key& key, std::int64_t& v) { add(key, fmt::format("{}", v), static_cast<double>(v)); }
-  void operator()(const Key& key, std::uint64_t& v) {
-    add(key, fmt::format("{}", v), static_cast<double>(v));
-  }
-  void operator()(const Key& key, std::string& v) { add(key, tomlString(v)); }
-  void operator()(const Key& key, StepLength& v) {
-    if (v.isAutomatic())
-      add(key, tomlString(automaticStep));
-    else
-      add(key, tomlNumber(v), static_cast<double>(v));
-  }
-  void operator()(const Key& key, Layers& v) { add(key, tomlNames(v)); }
-  void operator()(const Key& key, Rgba& v) { add(key, tomlString(colorText(v))); }
-  void operator()(const Key& key, std::vector<std::int64_t>& v) {
-    add(key, fmt::format("[{}]", fmt::join(v, ", ")));
-  }
-  void operator()(const Key& key, std::vector<GridSpan>& spans) {
-    std::string list;
-    for (const GridSpan& s : spans)
-      list += fmt::format("{}[{}, {}]", list.empty() ? "" : ", ", s.count, tomlNumber(s.size));
-    add(key, '[' + list + ']');
-  }
-  void operator()(const Key& key, std::vector<Inlet>& inlets) {
-    for (std::size_t i = 0; i < inlets.size(); ++i) descend(fmt::format("{}.{}", key.name, i), inlets[i]);
-  }
-  void operator()(const Key& key, std::optional<double>& v) {
-    if (v)
-      add(key, tomlNumber(*v), *v);
-    else
-      add(key, "");
-  }
+std::optional<double> numberOf(const std::string& text) {
+  double value = 0.0;
+  const char* const end = text.data() + text.size();
+  return std::from_chars(text.data(), end, value).ptr == end ? std::optional(value) : std::nullopt;
+}
 
-  template <class T>
-  void operator()(const Key& key, std::optional<T>& value) {
-    if (value)
-      (*this)(key, *value);
-    else if constexpr (std::is_enum_v<T>)
-      add(key, "", {}, names<T>());
+/// The names that a type consists of: "\"open\", \"lid\"".
+std::vector<std::string_view> choicesOf(std::string_view type) {
+  std::vector<std::string_view> names;
+  while (type.starts_with('"')) {
+    const std::size_t end = type.find('"', 1);
+    names.push_back(type.substr(1, end - 1));
+    type.remove_prefix(end + 1);
+    if (!type.starts_with(", ")) break;
+    type.remove_prefix(2);
   }
-
-  template <class T>
-  void operator()(const Key& key, T& value) {
-    if constexpr (std::is_enum_v<T>)
-      add(key, fmt::format("\"{}\"", modelName(value)), {}, names<T>());
-    else
-      descend(std::string(key.name), value);
-  }
-
- private:
-  template <class T>
-  static std::vector<std::string_view> names() {
-    std::vector<std::string_view> all;
-    for (const ModelInfo& model : modelTable<T>) all.push_back(model.name);
-    return all;
-  }
-
-  void add(const Key& key, std::string text, std::optional<double> number = {},
-           std::vector<std::string_view> choices = {}) {
-    into_.push_back({prefix_ + std::string(key.name), key, std::move(text), number, std::move(choices)});
-  }
-
-  template <class T>
-  void descend(const std::string& name, T& value) {
-    ValueCollector inner(into_, prefix_ + name + '.');
-    describe(value, inner);
-  }
-
-  std::vector<SceneValue>& into_;
-  std::string prefix_;
-};
+  return type.empty() ? names : std::vector<std::string_view>();
+}
 
 }  // namespace
 
 std::vector<SceneValue> sceneValues(const Scene& scene) {
-  Scene copy = scene;  // a description visits settings it may change
+  static const std::vector<SceneKey> keys = sceneKeys();
   std::vector<SceneValue> values;
-  ValueCollector collect(values);
-  describe(copy, collect);
+  for (SceneSetting& setting : sceneSettings(scene)) {
+    const auto key =
+        std::find_if(keys.begin(), keys.end(),
+                     [plain = withoutNumbers(setting.path)](const SceneKey& k) { return k.path == plain; });
+    const auto number = numberOf(setting.value);
+    values.push_back(
+        {std::move(setting.path), key->key, std::move(setting.value), number, choicesOf(key->type)});
+  }
   return values;
 }
 

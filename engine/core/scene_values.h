@@ -14,12 +14,12 @@ namespace bedmix {
 struct SceneValue {
   std::string path;                       // dotted, elements of lists by number: "gas.inlets.0.velocity"
   Key key;                                // name, unit, range, meaning
-  std::string text;                       // as TOML; empty for an optional one that is not given
+  std::string text;                       // as TOML
   std::optional<double> number;           // where it is one
   std::vector<std::string_view> choices;  // where it is a name: all there are
 };
 
-/// Every key that has a value or may be given one in the tables that are there, in the order of the file.
+/// Every key that has a value, in the order of the file; see sceneSettings().
 std::vector<SceneValue> sceneValues(const Scene& scene);
 
 }  // namespace bedmix

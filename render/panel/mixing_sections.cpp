@@ -57,10 +57,10 @@ void savingSection(const PanelModel& model, PanelActions& actions) {
     if (button("Stop recording")) actions.push_back({PanelAction::StopRecording{}});
     text("recording into " + model.recording);
   }
-  if (button("Picture")) actions.push_back({PanelAction::SavePicture{}});
+  if (button("Save picture")) actions.push_back({PanelAction::SavePicture{}});
   if (model.isLive) {
     ImGui::SameLine();
-    if (button("Scene")) actions.push_back({PanelAction::SaveScene{}});
+    if (button("Save scene")) actions.push_back({PanelAction::SaveScene{}});
     explain("As it is steered now, as TOML");
   }
   for (const std::string& name : model.saved) text(name);

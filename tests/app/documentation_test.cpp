@@ -28,7 +28,7 @@ TEST_F(Documentation, EveryCommandHasHelpWithAnExample) {
   const auto names = commands(bedmix({"--help"}));
   EXPECT_EQ(names,
             (std::set<std::string>{"accuracy", "check", "completion", "doctor", "export", "plot", "recover",
-                                   "render", "replay", "report", "run", "scenes", "sheet"}));
+                                   "render", "replay", "report", "run", "scenes", "sheet", "view"}));
   for (const std::string& name : names) {
     const Outcome help = bedmix({name, "--help"});
     EXPECT_EQ(help.exitCode, 0);
