@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <optional>
 #include <type_traits>
@@ -93,6 +95,19 @@ std::vector<SceneKey> sceneKeys() {
   KeyCollector collect(keys);
   describe(defaults, collect);
   return keys;
+}
+
+std::string withoutNumbers(std::string_view path) {
+  std::string key;
+  for (std::size_t begin = 0; begin <= path.size();) {
+    const std::size_t end = std::min(path.find('.', begin), path.size());
+    const std::string_view part = path.substr(begin, end - begin);
+    const bool isNumber = !part.empty() && std::all_of(part.begin(), part.end(),
+                                                       [](unsigned char c) { return std::isdigit(c) != 0; });
+    if (!isNumber) key.append(key.empty() ? "" : ".").append(part);
+    begin = end + 1;
+  }
+  return key;
 }
 
 std::string rangeText(const Key& key) {

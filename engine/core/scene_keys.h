@@ -4,6 +4,7 @@
 #include "engine/core/scene_description.h"
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace bedmix {
@@ -18,6 +19,9 @@ struct SceneKey {
 
 /// Every key of every table, in the order of the file.
 std::vector<SceneKey> sceneKeys();
+
+/// The path of a key without the numbers of elements: "gas.inlets.from" of "gas.inlets.0.from".
+std::string withoutNumbers(std::string_view path);
 
 /// "above 0 m", "from 0 to 1", "" without limits.
 std::string rangeText(const Key& key);

@@ -5,24 +5,11 @@
 #include "engine/core/scene_reader.h"
 
 #include <algorithm>
-#include <cctype>
 #include <charconv>
 
 namespace bedmix {
 
 namespace {
-
-/// "gas.inlets.from" of "gas.inlets.0.from".
-std::string withoutNumbers(std::string_view path) {
-  std::string plain;
-  while (!path.empty()) {
-    const std::string_view part = path.substr(0, path.find('.'));
-    path.remove_prefix(std::min(part.size() + 1, path.size()));
-    if (std::isdigit(static_cast<unsigned char>(part.front()))) continue;
-    plain += (plain.empty() ? "" : ".") + std::string(part);
-  }
-  return plain;
-}
 
 std::optional<double> numberOf(const std::string& text) {
   double value = 0.0;

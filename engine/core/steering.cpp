@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "engine/core/steering.h"
 
+#include "engine/core/scene_keys.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -51,20 +53,6 @@ constexpr std::array effects{
 
 bool isAtOrBelow(std::string_view path, std::string_view table) {
   return path.starts_with(table) && (path.size() == table.size() || path[table.size()] == '.');
-}
-
-/// The path without numbers of elements.
-std::string withoutNumbers(std::string_view path) {
-  std::string key;
-  for (std::size_t begin = 0; begin <= path.size();) {
-    const std::size_t end = std::min(path.find('.', begin), path.size());
-    const std::string_view part = path.substr(begin, end - begin);
-    const bool isNumber = !part.empty() && std::all_of(part.begin(), part.end(),
-                                                       [](unsigned char c) { return std::isdigit(c) != 0; });
-    if (!isNumber) key.append(key.empty() ? "" : ".").append(part);
-    begin = end + 1;
-  }
-  return key;
 }
 
 std::string fixedText(std::string_view path) {
