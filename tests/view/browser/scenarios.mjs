@@ -155,8 +155,13 @@ test("a phone has the panel below the bed and is worked by a finger", () =>
     const finger = await page.context().newCDPSession(page);
     const touch = (type, ...points) => finger.send("Input.dispatchTouchEvent", {type, touchPoints: points});
     const x = 340, from = speed.y + 23 * larger, way = 100;
-    await touch("touchStart", {x, y: from});
-    for (let i = 1; i <= 10; ++i) await touch("touchMove", {x, y: from - way * i / 10});
+    const andSee = async (done) => {
+      const {pictures} = await stats(page);
+      await done;
+      await until("the next picture", async () => (await stats(page)).pictures > pictures);
+    };
+    await andSee(touch("touchStart", {x, y: from}));
+    for (let i = 1; i <= 5; ++i) await andSee(touch("touchMove", {x, y: from - way * i / 5}));
     await touch("touchEnd");
     await until("a panel that is scrolled", async () => {
       const [first] = await sliders(page, below);
@@ -176,7 +181,7 @@ test("JPEG does where the browser has no H.264", () =>
     await other.context().close();
   }));
 
-test("a scene that is saved is downloaded", () =>
+test("what is saved is downloaded", () =>
   withView(["tiny"], {height: 1600}, async (page) => {
     const column = 1280 - panelWidth / 2;
     /** Middles of the panel's headings, which are wider than anything else. */
@@ -200,9 +205,12 @@ test("a scene that is saved is downloaded", () =>
     const save = await until("the headings", async () => (await headings()).at(-3));
     await page.mouse.click(column, save);
     await until("an open section", async () => (await headings()).at(-2) > save + 40);
-    const coming = page.waitForEvent("download", {timeout: 10000});
-    await page.mouse.click(1280 - panelWidth + 92, save + 2 * 27);  // the second, below those that record
-    assert.match((await coming).suggestedFilename(), /\.toml$/);
+    // Below the buttons that record: those of the picture and of the scene.
+    for (const [x, name] of [[30, /\.png$/], [150, /\.toml$/]]) {
+      const coming = page.waitForEvent("download", {timeout: 60000});
+      await page.mouse.click(1280 - panelWidth + x, save + 2 * 27);
+      assert.match((await coming).suggestedFilename(), name);
+    }
     await screenshot(page, "saved");
   }));
 
