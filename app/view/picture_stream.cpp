@@ -55,7 +55,7 @@ struct PictureStream::State {
   std::uint32_t lastInput = 0;
   StreamPicture picture;
   Clock::time_point lastDraw = Clock::now(), lastNews = lastDraw;
-  std::string cursor = "default";
+  std::string cursor;
   bool keyboard = false;
   std::string farewell;
   std::jthread thread;  // last: joins before the rest goes
@@ -78,6 +78,12 @@ struct PictureStream::State {
     const std::lock_guard lock(mutex);
     orders.push_back(std::move(order));
     changed.notify_all();
+  }
+  /// Each page counts its inputs for itself, and has heard of nothing yet.
+  void startCounting() {
+    lastInput = 0;
+    cursor.clear();
+    keyboard = false;
   }
   Clock::time_point nextTask() const;
   void wait(const std::stop_token& stop);
@@ -196,13 +202,16 @@ std::string PictureStream::end() {
 }
 
 void PictureStream::joined(ClientId client, Role role) {
-  state_->post([s = state_.get(), client, role] { s->clients.emplace(client, StreamClient(role)); });
+  state_->post([s = state_.get(), client, role] {
+    s->clients.emplace(client, StreamClient(role));
+    if (role == Role::controller) s->startCounting();
+  });
 }
 
 void PictureStream::changed(ClientId client, Role role) {
   state_->post([s = state_.get(), client, role] {
     if (const auto found = s->clients.find(client); found != s->clients.end()) found->second.setRole(role);
-    if (role == Role::controller) s->lastInput = 0;  // each page counts for itself
+    if (role == Role::controller) s->startCounting();
   });
 }
 

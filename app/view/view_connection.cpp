@@ -44,6 +44,7 @@ class WebSocketClient final : public ViewClient, public std::enable_shared_from_
     socket_.set_option(timeouts);
     socket_.read_message_max(longestClientMessage);
     socket_.binary(true);
+    socket_.auto_fragment(false);
     socket_.async_accept(request, [self = shared_from_this()](beast::error_code error) {
       if (!error) self->begin();
     });

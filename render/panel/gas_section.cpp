@@ -18,7 +18,7 @@ void gasSection(const PanelModel& model, PanelActions& actions) {
       actions.push_back({PanelAction::Change{
           {{fmt::format("gas.inlets.{}.velocity_umf", i), ""},
            {fmt::format("gas.inlets.{}.velocity", i), fmt::format("{:.6g}", velocity)}}}});
-    explain("Superficial velocity; a double click, or Ctrl and a click, lets you type it");
+    explain("Superficial velocity; Ctrl and a click lets you type it");
   }
   ImGui::EndDisabled();
 }

@@ -132,13 +132,14 @@ std::vector<PanelAction> ControlPanel::update(const PanelModel& model, std::span
   const UiContext::Turn turn(s.context);
   ImGuiIO& io = ImGui::GetIO();
   io.DeltaTime = std::max(static_cast<float>(seconds), moment);
-  do {
+  // What input makes of the layout shows one frame later.
+  for (bool isLast = events.empty(), goesOn = true; goesOn; goesOn = !isLast, isLast = events.empty()) {
     events = s.input.take(events);
     ImGui::NewFrame();
     s.build(model, actions);
     ImGui::Render();
     io.DeltaTime = moment;
-  } while (!events.empty());
+  }
   s.noteState();
   s.mesh = &s.context.collect();
   return actions;

@@ -52,6 +52,12 @@ std::span<const InputEvent> PanelInput::take(std::span<const InputEvent> events)
         // A press counts where it was made.
         if (pressed) return events;
         pressed = event.buttons != buttons_;
+        if (pressed && !(at_ == event.at)) {
+          at_ = event.at;  // it came there first
+          io.MousePos = {at_.x, at_.y};
+          return events;
+        }
+        at_ = event.at;
         isTouch_ = event.isTouch;
         liftsAway_ = event.isTouch && event.buttons == 0;
         buttons_ = event.buttons;

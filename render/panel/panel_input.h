@@ -21,6 +21,7 @@ class PanelInput {
 
  private:
   unsigned buttons_ = 0;
+  Vec2f at_;  // where the pointer was last
   bool isTouch_ = false, liftsAway_ = false;
 };
 

@@ -106,7 +106,10 @@ void transportSection(const PanelModel& model, PanelActions& actions) {
   else
     text(fmt::format("frame {} of {}", model.frame + 1, model.frames));
   if (!model.trouble.empty()) troubleText(model.trouble);
-  if (!model.notice.empty()) troubleText(model.notice);
+  if (!model.notice.empty())
+    troubleText(model.notice);
+  else if (model.trouble.empty())
+    ImGui::NewLine();  // so that a line that comes and goes moves nothing
 }
 
 }  // namespace bedmix

@@ -122,9 +122,9 @@ TEST_F(PanelTest, LineOfTheSamplingCellsFollowsThePointer) {
   send({pointer(line, 1)});
   const Vec2f halfway = camera.toPixel(Vec2{0.5 * scene.bed.width / columns, 0.0});
   const auto cells = of<PanelAction::Resample>(send({pointer({halfway.x, line.y}, 1)}));
-  ASSERT_EQ(cells.size(), 1u);
-  EXPECT_EQ(cells[0].columns, 2 * columns);
-  EXPECT_EQ(cells[0].rows, model.grid.rows);
+  ASSERT_FALSE(cells.empty());
+  EXPECT_EQ(cells.back().columns, 2 * columns);
+  EXPECT_EQ(cells.back().rows, model.grid.rows);
   EXPECT_TRUE(of<PanelAction::Pick>(send({pointer({halfway.x, line.y}, 0)})).empty());
 }
 
