@@ -20,11 +20,11 @@ struct Mismatch {
 
 /// What came of computing a recorded run again.
 struct Verification {
-  double from = 0.0, to = 0.0;       // s
-  std::size_t frames = 0;            // that are the same to the bit
-  std::size_t states = 0;            // stored double states whose hash is the same
+  double from = 0.0, to = 0.0;            // s
+  std::size_t frames = 0;                 // that are the same to the bit
+  std::size_t states = 0;                 // stored double states whose hash is the same
   std::optional<Mismatch> mismatch = {};  // none where all are the same
-  std::string program;               // that recorded it: version and commit
+  std::string program;                    // that recorded it: version and commit
 };
 
 /// Computes a recorded run again and compares, to the bit, every frame on the way with the recorded one, and

@@ -9,6 +9,24 @@
 
 namespace bedmix {
 
+namespace {
+
+/// Where the port of "127.0.0.1:80" or "[::1]:80" begins; the end where there is none.
+std::size_t portColon(std::string_view host) {
+  const std::size_t colon = host.rfind(':');
+  const bool isInAddress = host.ends_with(']');
+  return colon == std::string_view::npos || isInAddress ? host.size() : colon;
+}
+
+/// Whether it is an IP address and no name.
+bool isAddress(std::string_view host) {
+  const bool isV6 = host.starts_with('[') && host.ends_with(']');
+  const std::string_view signs = isV6 ? "[]0123456789abcdefABCDEF:." : "0123456789.";
+  return !host.empty() && host.find_first_not_of(signs) == std::string_view::npos;
+}
+
+}  // namespace
+
 std::string makeToken() {
   std::random_device random;  // the system's own, for secrets
   std::string token;
@@ -44,7 +62,10 @@ std::string_view tokenInQuery(std::string_view target) {
   return {};
 }
 
-std::string cookieName(std::uint16_t port) { return fmt::format("bedmix-{}", port); }
+std::string cookieName(std::string_view host) {
+  const std::size_t colon = portColon(host);
+  return fmt::format("bedmix-{}", colon == host.size() ? "80" : host.substr(colon + 1));
+}
 
 std::string_view cookieValue(std::string_view header, std::string_view name) {
   while (!header.empty()) {
@@ -63,6 +84,11 @@ std::string cookieHeader(std::string_view name, std::string_view value) {
 
 bool isOurHost(std::string_view host, std::string_view listenAddress) {
   if (host == listenAddress) return true;
+  const std::size_t port = portColon(listenAddress);
+  const std::string_view address = listenAddress.substr(0, port);
+  if ((address == "0.0.0.0" || address == "[::]") && host.ends_with(listenAddress.substr(port)) &&
+      isAddress(host.substr(0, portColon(host))))
+    return true;
   for (const std::string_view name : {"127.0.0.1", "localhost", "[::1]"}) {
     if (!host.starts_with(name)) continue;
     const std::string_view rest = host.substr(name.size());

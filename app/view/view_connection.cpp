@@ -26,13 +26,17 @@ using Answer = http::response<http::string_body>;
 
 constexpr std::chrono::seconds patience{20};                // for a request, and for a write to be taken
 constexpr std::size_t longestHeader = 16 * 1024;            // bytes
+constexpr std::size_t mostConnections = 64;                 // beside clients
 constexpr std::size_t mostWaiting = std::size_t{16} << 20;  // bytes to a client that does not take them
 
 /// A client at /ws: writes one message after the other, reads one after the other.
 class WebSocketClient final : public ViewClient, public std::enable_shared_from_this<WebSocketClient> {
  public:
   WebSocketClient(beast::tcp_stream stream, ViewRoom& room, Role mayBe)
-      : socket_(std::move(stream)), room_(room), mayBe_(mayBe) {}
+      : socket_(std::move(stream)), room_(room), mayBe_(mayBe) {
+    ++room_.clients;
+  }
+  ~WebSocketClient() override { --room_.clients; }
 
   void accept(const Request& request) {
     beast::get_lowest_layer(socket_).expires_never();
@@ -133,7 +137,10 @@ class WebSocketClient final : public ViewClient, public std::enable_shared_from_
 /// Reads one request after the other until one upgrades.
 class HttpConnection : public std::enable_shared_from_this<HttpConnection> {
  public:
-  HttpConnection(Socket socket, ViewRoom& room) : stream_(std::move(socket)), room_(room) {}
+  HttpConnection(Socket socket, ViewRoom& room) : stream_(std::move(socket)), room_(room) {
+    ++room_.connections;
+  }
+  ~HttpConnection() { --room_.connections; }
 
   void read() {
     parser_.emplace();
@@ -150,7 +157,8 @@ class HttpConnection : public std::enable_shared_from_this<HttpConnection> {
   static std::string_view view(beast::string_view text) { return {text.data(), text.size()}; }
 
   std::optional<Role> roleByCookie(const Request& request) const {
-    return room_.tokens.roleOf(cookieValue(view(request[http::field::cookie]), room_.cookie));
+    return room_.tokens.roleOf(
+        cookieValue(view(request[http::field::cookie]), cookieName(view(request[http::field::host]))));
   }
 
   void answer() {
@@ -158,6 +166,8 @@ class HttpConnection : public std::enable_shared_from_this<HttpConnection> {
     const std::string_view target = view(request.target()), path = pathOf(target);
     if (request.method() != http::verb::get && request.method() != http::verb::head)
       return send(plain(http::status::method_not_allowed, "only GET and HEAD"));
+    if (request.count(http::field::host) > 1 || request.count(http::field::origin) > 1)
+      return send(plain(http::status::bad_request, "one Host and one Origin, please"));
     if (!isOurHost(view(request[http::field::host]), room_.address))
       return send(plain(http::status::forbidden, "this is not the address of this server"));
     if (const std::string_view token = tokenInQuery(target); path == "/" && !token.empty())
@@ -175,7 +185,8 @@ class HttpConnection : public std::enable_shared_from_this<HttpConnection> {
       return plain(http::status::forbidden, "this token is not, or no longer, valid");
     Answer answer = plain(http::status::see_other, "");
     answer.set(http::field::location, "/");
-    answer.set(http::field::set_cookie, cookieHeader(room_.cookie, token));
+    answer.set(http::field::set_cookie,
+               cookieHeader(cookieName(view(parser_->get()[http::field::host])), token));
     return answer;
   }
 
@@ -195,10 +206,11 @@ class HttpConnection : public std::enable_shared_from_this<HttpConnection> {
     const auto found =
         path.starts_with(saved) ? room_.files.find(path.substr(saved.size())) : room_.files.end();
     if (found == room_.files.end()) return plain(http::status::not_found, "there is nothing here");
-    const auto& bytes = *found->second.content;
+    const auto& [name, file] = *found;
+    const auto& bytes = *file.content;
     Answer answer =
-        file200(found->second.type, std::string(reinterpret_cast<const char*>(bytes.data()), bytes.size()));
-    answer.set(http::field::content_disposition, "attachment");
+        file200(file.type, std::string(reinterpret_cast<const char*>(bytes.data()), bytes.size()));
+    answer.set(http::field::content_disposition, fmt::format("attachment; filename=\"{}\"", name));
     return answer;
   }
 
@@ -215,37 +227,49 @@ class HttpConnection : public std::enable_shared_from_this<HttpConnection> {
 
   void send(Answer answer) {
     const Request& request = parser_->get();
-    // The page may load nothing but its own files and be shown in no other page.
-    answer.set(
-        "Content-Security-Policy",
-        fmt::format("default-src 'none'; script-src 'self'; style-src 'self'; img-src 'self' blob: data:; "
-                    "connect-src 'self' ws://{}; base-uri 'none'; form-action 'none'; frame-ancestors 'none'",
-                    view(request[http::field::host])));
+    // The page may load nothing but its own files and be shown in no other page. Some browsers do not count
+    // the WebSocket among 'self'; a Host that is not ours is not repeated.
+    const std::string_view host = view(request[http::field::host]);
+    answer.set("Content-Security-Policy",
+               fmt::format("default-src 'none'; script-src 'self'; style-src 'self'; "
+                           "img-src 'self' blob: data:; connect-src 'self'{}; base-uri 'none'; "
+                           "form-action 'none'; frame-ancestors 'none'",
+                           isOurHost(host, room_.address) ? fmt::format(" ws://{}", host) : ""));
     answer.set("X-Content-Type-Options", "nosniff");
     answer.set("Referrer-Policy", "no-referrer");
     answer.set(http::field::cache_control, "no-store");
     answer.keep_alive(request.keep_alive());
     answer.prepare_payload();
     if (request.method() == http::verb::head) answer.body().clear();
-    auto kept = std::make_shared<Answer>(std::move(answer));
+    answer_ = std::move(answer);
+    serializer_.emplace(answer_);
+    write();
+  }
+
+  /// Part by part: a large file may take long, as long as each part is taken in time.
+  void write() {
     stream_.expires_after(patience);
-    http::async_write(stream_, *kept,
-                      [self = shared_from_this(), kept](beast::error_code error, std::size_t) {
-                        if (error) return;
-                        if (kept->keep_alive()) return self->read();
-                        self->stream_.socket().shutdown(Socket::shutdown_send, error);
-                      });
+    http::async_write_some(stream_, *serializer_,
+                           [self = shared_from_this()](beast::error_code error, std::size_t) {
+                             if (error) return;
+                             if (!self->serializer_->is_done()) return self->write();
+                             if (self->answer_.keep_alive()) return self->read();
+                             self->stream_.socket().shutdown(Socket::shutdown_send, error);
+                           });
   }
 
   beast::tcp_stream stream_;
   ViewRoom& room_;
   beast::flat_buffer buffer_{2 * longestHeader};
   std::optional<http::request_parser<http::empty_body>> parser_;
+  Answer answer_;
+  std::optional<http::response_serializer<http::string_body>> serializer_;
 };
 
 }  // namespace
 
 void serveConnection(Socket socket, ViewRoom& room) {
+  if (room.connections >= mostConnections) return;
   std::make_shared<HttpConnection>(std::move(socket), room)->read();
 }
 

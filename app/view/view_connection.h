@@ -38,7 +38,6 @@ struct ViewRoom {
   ViewHost& host;
   Tokens tokens;
   std::string address;                                      // "127.0.0.1:4711", that it listens on
-  std::string cookie;                                       // its name
   std::map<std::string, PublishedFile, std::less<>> files;  // by name, under /saved/
 
   struct Member {
@@ -48,8 +47,10 @@ struct ViewRoom {
   };
   std::map<ClientId, Member> members;  // in the order they came
   ClientId lastId = 0;
+  std::size_t clients = 0;      // at /ws, those that are still shaking hands included
+  std::size_t connections = 0;  // of all kinds but these
 
-  bool isFull() const { return members.size() >= options.mostClients; }
+  bool isFull() const { return clients >= options.mostClients; }
   ClientId join(std::shared_ptr<ViewClient> client, Role mayBe);
   void leave(ClientId client);
   /// Hands the control over, where it may have it.
@@ -61,7 +62,8 @@ struct ViewRoom {
   bool hasController() const;
 };
 
-/// Serves one connection: page, files, and from the upgrade on a client. Owns itself until it ends.
+/// Serves one connection: page, files, and from the upgrade on a client. Owns itself until it ends. One too
+/// many is closed: whoever has no token must not use up what the others need.
 void serveConnection(Socket socket, ViewRoom& room);
 
 }  // namespace bedmix

@@ -21,6 +21,7 @@ namespace asio = boost::asio;
 using asio::ip::tcp;
 
 constexpr std::chrono::milliseconds farewell{300};  // for clients to take the last message
+constexpr std::chrono::milliseconds breath{100};    // after a connection that could not be accepted
 
 Diagnostic cannot(const ListenOptions& options, const std::string& why, Trouble trouble = Trouble::input) {
   return {{"--listen " + options.address}, why, trouble};
@@ -57,21 +58,29 @@ std::string textOf(const tcp::endpoint& endpoint) {
 }  // namespace
 
 struct ViewServer::State {
+  ViewRoom room;  // first: connections tell it when they end
   asio::io_context io{1};
   tcp::acceptor acceptor{io};
-  ViewRoom room;
+  asio::steady_timer pause{io};
   std::jthread thread;
 
   State(const ListenOptions& options, ViewHost& host) : room(options, host) {}
 
   void accept() {
     acceptor.async_accept([this](boost::system::error_code error, Socket socket) {
-      if (error == asio::error::operation_aborted) return;
-      if (!error) {
-        socket.set_option(tcp::no_delay(true), error);
-        serveConnection(std::move(socket), room);
-      }
+      if (!acceptor.is_open()) return;
+      if (error) return acceptLater();
+      socket.set_option(tcp::no_delay(true), error);
+      serveConnection(std::move(socket), room);
       accept();
+    });
+  }
+
+  /// Where there are no descriptors left, asking again at once would not free one.
+  void acceptLater() {
+    pause.expires_after(breath);
+    pause.async_wait([this](boost::system::error_code error) {
+      if (!error && acceptor.is_open()) accept();
     });
   }
 
@@ -89,7 +98,6 @@ struct ViewServer::State {
                     Trouble::file);
     const tcp::endpoint local = acceptor.local_endpoint();
     room.address = textOf(local);
-    room.cookie = cookieName(local.port());
     return Done{};
   }
 };

@@ -37,7 +37,7 @@ TEST(ViewAccess, FindsItsCookieAmongOthers) {
   EXPECT_EQ(cookieValue("a=1; bedmix-80=xyz; b=2", "bedmix-80"), "xyz");
   for (const char* none : {"", "bedmix-8080=xyz", "xbedmix-80=xyz", "bedmix-80", "a=bedmix-80=xyz"})
     EXPECT_EQ(cookieValue(none, "bedmix-80"), "") << none;
-  const std::string header = cookieHeader(cookieName(80), "xyz");
+  const std::string header = cookieHeader(cookieName("localhost"), "xyz");
   for (const char* part : {"bedmix-80=xyz", "HttpOnly", "SameSite=Strict", "Path=/"})
     EXPECT_NE(header.find(part), std::string::npos) << part;
 }
@@ -49,6 +49,22 @@ TEST(ViewAccess, HostMustBeOurs) {
        {"", "evil.example", "127.0.0.1.evil.example", "127.0.0.1:80.evil.example", "localhost.",
         "localhost:", "localhost:123456", "127.0.0.11:80", "10.0.0.7:80", "10.0.0.7", "LOCALHOST:x"})
     EXPECT_FALSE(isOurHost(other, "10.0.0.7:8080")) << other;
+}
+
+TEST(ViewAccess, CookieIsNamedByThePortTheBrowserSees) {
+  EXPECT_EQ(cookieName("127.0.0.1:9000"), "bedmix-9000");
+  EXPECT_EQ(cookieName("[::1]:9000"), "bedmix-9000");
+  EXPECT_EQ(cookieName("[::1]"), "bedmix-80");
+}
+
+TEST(ViewAccess, AnyAddressOfTheMachineIsOursWhereItListensOnAll) {
+  for (const char* ours : {"10.0.0.7:8080", "[fe80::1]:8080"}) {
+    EXPECT_TRUE(isOurHost(ours, "0.0.0.0:8080")) << ours;
+    EXPECT_TRUE(isOurHost(ours, "[::]:8080")) << ours;
+    EXPECT_FALSE(isOurHost(ours, "10.0.0.8:8080")) << ours;
+  }
+  for (const char* other : {"10.0.0.7:80", "10.0.0.7", "evil.example:8080", ":8080", "10.0.0.7.example:8080"})
+    EXPECT_FALSE(isOurHost(other, "0.0.0.0:8080")) << other;
 }
 
 TEST(ViewAccess, OriginMustBeThatOfThePage) {

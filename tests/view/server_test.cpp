@@ -6,6 +6,7 @@
 
 #include <condition_variable>
 #include <mutex>
+#include <thread>
 
 namespace bedmix {
 namespace {
@@ -140,6 +141,42 @@ TEST_F(ViewServerFaults, StrangersAreRefused) {
   EXPECT_TRUE(isRefused(headers));
 }
 
+TEST_F(ViewServerFaults, HostThatIsNotOursIsNotRepeated) {
+  const auto answer = test::request(url, "/", {{"Host", "evil.example; script-src *"}});
+  EXPECT_EQ(answer.status, 403);
+  EXPECT_EQ(answer.headers.at("Content-Security-Policy").find("evil"), std::string::npos);
+}
+
+TEST_F(ViewServerFaults, TunnelsOfOtherPortsHaveCookiesOfTheirOwn) {
+  const auto entered = test::request(url, "/?token=" + url.token, {{"Host", "localhost:9000"}});
+  EXPECT_EQ(entered.headers.at("Set-Cookie").rfind("bedmix-9000=", 0), 0u);
+  const Headers through{{"Host", "localhost:9000"}, {"Cookie", "bedmix-9000=" + url.token}};
+  EXPECT_EQ(test::request(url, "/", through).status, 200);
+}
+
+TEST_F(ViewServerFaults, StrangersLeaveRoomForOthers) {
+  boost::asio::io_context io;
+  std::vector<boost::asio::ip::tcp::socket> idle;
+  for (int i = 0; i < 100; ++i) {
+    idle.emplace_back(io);
+    idle.back().connect({boost::asio::ip::make_address("127.0.0.1"), url.port});
+  }
+  // What is beyond the limit is closed at once, not kept.
+  boost::system::error_code error;
+  char byte = 0;
+  idle.back().read_some(boost::asio::buffer(&byte, 1), error);
+  EXPECT_TRUE(error);
+  idle.clear();
+  // Once they have gone, it answers again.
+  int status = 0;
+  for (int i = 0; i < 500 && status == 0; ++i) try {
+      status = test::request(url, "/").status;
+    } catch (const boost::system::system_error&) {
+      std::this_thread::sleep_for(10ms);
+    }
+  EXPECT_EQ(status, 403);
+}
+
 TEST_F(ViewServerFaults, OnlySavedFilesCanBeHadByName) {
   const auto content = std::make_shared<const std::vector<std::byte>>(3, std::byte{'x'});
   server->publish("scene-1.toml", "application/toml", content);
@@ -147,7 +184,7 @@ TEST_F(ViewServerFaults, OnlySavedFilesCanBeHadByName) {
   const auto file = test::request(url, "/saved/scene-1.toml", cookie);
   EXPECT_EQ(file.status, 200);
   EXPECT_EQ(file.body, "xxx");
-  EXPECT_EQ(file.headers.at("Content-Disposition"), "attachment");
+  EXPECT_EQ(file.headers.at("Content-Disposition"), "attachment; filename=\"scene-1.toml\"");
   EXPECT_EQ(test::request(url, "/saved/scene-1.toml").status, 403);
   for (const char* other :
        {"/saved/", "/saved/scene-1.tom", "/saved/../saved/scene-1.toml", "/saved/..%2fetc%2fpasswd",
