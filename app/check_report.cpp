@@ -6,6 +6,7 @@
 #include "engine/core/thread_team.h"
 #include "engine/coupling/gas_step.h"
 #include "engine/dem/contact_error.h"
+#include "engine/effects/effects.h"
 #include "engine/simulation.h"
 
 #include <fmt/core.h>
@@ -53,15 +54,7 @@ class Report {
 
   void effects() {
     section_ = "effects";
-    const auto& gas = scene_.gas;
-    effect("gas", gas.has_value(),
-           gas ? fmt::format("{}, {}, drag {}", modelName(gas->scheme), modelName(gas->timeScheme),
-                             modelName(gas->drag))
-               : "no table [gas]");
-    const auto& friction = scene_.contacts.friction;
-    effect("friction", friction.has_value(),
-           friction ? fmt::format("coefficient {:g}; particles rotate", friction->coefficient)
-                    : "no table [contacts.friction]; no rotation either");
+    for (const EffectInfo& e : effectTable()) effect(std::string(e.name), e.isOn(scene_), e.note(scene_));
     effect("inclined distributor", scene_.floor.inclinationDeg > 0.0,
            scene_.floor.inclinationDeg > 0.0
                ? fmt::format("{:g} deg, {} for particles", scene_.floor.inclinationDeg,

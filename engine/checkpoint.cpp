@@ -27,7 +27,7 @@ struct Header {
   Refinement refinement;
 
   /// To be raised whenever a save() of the engine changes, or a result.
-  static constexpr std::uint64_t currentVersion = 3;
+  static constexpr std::uint64_t currentVersion = 4;
 };
 
 std::uint64_t checksum(std::span<const std::byte> bytes) {

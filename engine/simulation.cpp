@@ -10,6 +10,7 @@
 #include "engine/dem/packing.h"
 #include "engine/dem/particle_solver.h"
 #include "engine/dem/particle_step.h"
+#include "engine/effects/effect_stage.h"
 #include "engine/gas/gas_solver.h"
 
 #include <fmt/format.h>
@@ -18,6 +19,7 @@
 #include <array>
 #include <chrono>
 #include <cmath>
+#include <limits>
 #include <numeric>
 
 namespace bedmix {
@@ -123,6 +125,7 @@ struct Simulation::State {
   std::unique_ptr<ThreadTeam> team;
   std::unique_ptr<ParticleSolver> solver;
   std::unique_ptr<CoupledGas> gas;
+  std::vector<std::unique_ptr<EffectStage>> effects;
   std::vector<std::uint8_t> species;
   std::vector<std::int32_t> id;
   std::optional<ParticleStep> chosenStep;  // where the scene gives none
@@ -134,6 +137,7 @@ struct Simulation::State {
   bool gasFailed = false;
 
   std::int64_t nextStretch() const;
+  void actOut();
   std::optional<std::string> gasStep();
   ParticleStep::Outcome moveParticles(std::int64_t ticks);
   std::optional<std::string> advanceParticles(std::int64_t ticks);
@@ -142,8 +146,17 @@ struct Simulation::State {
 
 // Gas steps fall on whole multiples of their length, wherever a call begins.
 std::int64_t Simulation::State::nextStretch() const {
-  if (!gas) return chosenStep ? ticksWithin(contactTimeScale(scene), scene, step) : stepsPerFrame(scene);
-  return gas->chosenStep ? ticksWithin(gas->chosenStep->longest(), scene, step) : stepsPerGasStep(scene);
+  double longest = std::numeric_limits<double>::infinity();
+  for (const auto& effect : effects) longest = std::min(longest, effect->longestStep());
+  if (gas && !gas->chosenStep) return stepsPerGasStep(scene);
+  if (gas) return ticksWithin(std::min(longest, gas->chosenStep->longest()), scene, step);
+  if (chosenStep) longest = std::min(longest, contactTimeScale(scene));
+  return std::isfinite(longest) ? ticksWithin(longest, scene, step) : stepsPerFrame(scene);
+}
+
+void Simulation::State::actOut() {
+  const double length = static_cast<double>(stretch) * tick(scene);
+  for (const auto& effect : effects) effect->act(length);
 }
 
 std::optional<std::string> Simulation::State::gasStep() {
@@ -169,6 +182,7 @@ std::optional<std::string> Simulation::State::gasStep() {
   const double length = static_cast<double>(stretch) * tick(scene);
   gas->setStep(length);
   gas->exchange.evaluateDrag(particles, gas->solver.exchange());
+  for (const auto& effect : effects) effect->chargeGas(length, gas->solver.exchange());
   clock.lap(Stage::drag);
   const GasStepReport r = gas->solver.advance(gas->voidage.voidage());
   ++gasSteps;
@@ -190,6 +204,8 @@ std::optional<std::string> Simulation::State::gasStep() {
     gas->chosenStep->observe(gas->solver, r, length, static_cast<double>(before) * tick(scene));
   gas->exchange.applyForces(particles);
   clock.lap(Stage::drag);
+  actOut();
+  clock.lap(Stage::effects);
   return std::nullopt;
 }
 
@@ -256,6 +272,8 @@ Simulation::Simulation(const Scene& scene, Particles start, std::unique_ptr<Thre
   s.solver = ParticleSolver::make(scene, std::move(start), bedWalls(scene), *s.team);
   if (scene.time.step.isAutomatic()) s.chosenStep.emplace(scene);
   if (scene.gas) s.gas = std::make_unique<CoupledGas>(scene, s.solver->particles(), *s.team);
+  s.effects = effectStages({s.scene, *s.solver, s.gas ? &s.gas->solver : nullptr,
+                            s.gas ? &s.gas->voidage : nullptr, s.gas ? &s.gas->exchange : nullptr, *s.team});
   s.stretch = s.stretchEnd = s.nextStretch();
   if (s.gas) s.gas->start(static_cast<double>(s.stretch) * tick(scene));
   s.species = tagTracer(scene.tracer.rule, position, scene.bed.width);
@@ -282,9 +300,9 @@ void Simulation::save(StateWriter& out) const {
   out.putAll(s.id);
   s.solver->save(out);
   if (s.chosenStep) s.chosenStep->save(out);
-  if (!s.gas) return;
-  s.gas->solver.save(out);
-  if (s.gas->chosenStep) s.gas->chosenStep->save(out);
+  if (s.gas) s.gas->solver.save(out);
+  if (s.gas && s.gas->chosenStep) s.gas->chosenStep->save(out);
+  for (const auto& effect : s.effects) effect->save(out);
 }
 
 bool Simulation::State::load(StateReader& in, std::int64_t stepsPerStep) {
@@ -304,7 +322,8 @@ bool Simulation::State::load(StateReader& in, std::int64_t stepsPerStep) {
          in.get(report.largestCourant) && in.get(report.lowestVoidage) && in.get(report.aboveGridLargest) &&
          in.get(report.largestSpeed) && in.get(report.largestSpeedParticle) && in.getAll(species) &&
          in.getAll(id) && solver->load(in) && (!chosenStep || chosenStep->load(in)) &&
-         (!gas || (gas->solver.load(in) && (!gas->chosenStep || gas->chosenStep->load(in))));
+         (!gas || (gas->solver.load(in) && (!gas->chosenStep || gas->chosenStep->load(in)))) &&
+         std::all_of(effects.begin(), effects.end(), [&](const auto& effect) { return effect->load(in); });
 }
 
 std::optional<Simulation> Simulation::make(const Scene& scene, StateReader& in, int threads,
@@ -330,6 +349,7 @@ std::optional<std::string> Simulation::advance(std::int64_t steps) {
       if (auto trouble = s.gasStep()) return trouble;
     } else {
       s.stretch = s.nextStretch();
+      s.actOut();
     }
     s.stretchEnd = s.step + s.stretch;
   }
@@ -391,6 +411,7 @@ FramePtr Simulation::frame() const {
     if (!p.spin.empty()) frame->angularVelocity[p.id[i]] = static_cast<float>(p.spin[i]);
   }
   if (s.gas) frame->gas = gasFrame(s.gas->solver);
+  for (const auto& effect : s.effects) effect->fill(*frame);
   return frame;
 }
 
@@ -404,6 +425,7 @@ std::uint64_t Simulation::stateHash() const {
     hash.add(s.gas->solver.fields().pressure);
     hash.add(s.gas->solver.fields().voidage);
   }
+  for (const auto& effect : s.effects) effect->hashInto(hash);
   return hash.value();
 }
 

@@ -20,9 +20,9 @@ class ThreadTeam;
 struct Particles;
 
 /// The stages of a step, in their order; one timer each.
-enum class Stage { neighbours, voidage, drag, gas, contacts, integrate, count };
+enum class Stage { neighbours, voidage, drag, gas, effects, contacts, integrate, count };
 inline constexpr std::array<std::string_view, static_cast<std::size_t>(Stage::count)> stageNames{
-    "neighbours", "voidage", "drag", "gas", "contacts", "integrate"};
+    "neighbours", "voidage", "drag", "gas", "effects", "contacts", "integrate"};
 using StageSeconds = std::array<double, static_cast<std::size_t>(Stage::count)>;
 
 /// What the run has met so far.

@@ -4,6 +4,7 @@
 #include "engine/core/models.h"
 #include "engine/core/picture_settings.h"
 #include "engine/core/step_length.h"
+#include "engine/effects/settings.h"
 
 #include <cstdint>
 #include <optional>
@@ -138,6 +139,7 @@ struct Scene {
   StartSettings start;
   TracerSettings tracer;
   std::optional<GasSettings> gas;
+  EffectSettings effects;  // whose tables stand at the top of the file
   SamplingSettings sampling;
   std::optional<FluxSettings> flux;
   LimitSettings limits;

@@ -1,34 +1,13 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "engine/core/key.h"
 #include "engine/core/scene.h"
-
-#include <limits>
-#include <string_view>
 
 // The one description of every key a scene may hold: name, unit, range, meaning. The reader, the writer,
 // --help and summary.json are all driven by it: a visitor is called once per key, in the order of the file.
 
 namespace bedmix {
-
-inline constexpr double infinity = std::numeric_limits<double>::infinity();
-
-/// Closed interval; `aboveMin` excludes its lower end.
-struct KeyRange {
-  double min = -infinity;
-  double max = infinity;
-  bool aboveMin = false;
-};
-inline constexpr KeyRange positive{0.0, infinity, true};
-inline constexpr KeyRange notNegative{0.0, infinity};
-
-struct Key {
-  std::string_view name;
-  std::string_view unit;  // "" for a number without one, a text or a table
-  KeyRange range;
-  std::string_view meaning;
-  bool required = false;
-};
 
 template <class V>
 void describe(BedSettings& s, V& visit) {
@@ -194,6 +173,7 @@ void describe(Scene& s, V& visit) {
   visit(Key{"start", "", {}, "how the run begins"}, s.start);
   visit(Key{"tracer", "", {}, "what mixes with what"}, s.tracer);
   visit(Key{"gas", "", {}, "switches on the gas"}, s.gas);
+  s.effects.forEach([&](const Key& table, auto& settings) { visit(table, settings); });
   visit(Key{"sampling", "", {}, "cells and interval of the mixing indices"}, s.sampling);
   visit(Key{"flux", "", {}, "switches on the solids flux through an upright window"}, s.flux);
   visit(Key{"limits", "", {}, "when a run is stopped"}, s.limits);

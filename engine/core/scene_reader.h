@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "engine/core/contradiction.h"
 #include "engine/core/diagnostic.h"
 #include "engine/core/scene.h"
 
@@ -39,15 +40,5 @@ struct SceneSetting {
 };
 /// What writeScene() writes, in its order.
 std::vector<SceneSetting> sceneSettings(const Scene& scene);
-
-/// What is wrong with settings that are each in range but do not fit together; readScene includes these.
-struct Contradiction {
-  std::string path;  // dotted key it is reported at
-  std::string message;
-  std::vector<std::string> concerns;  // the other keys it follows from
-};
-std::vector<Contradiction> contradictions(const Scene& scene);
-/// The same of settings of pictures, which need not be the scene's own.
-std::vector<Contradiction> contradictions(const Scene& scene, const PictureSettings& pictures);
 
 }  // namespace bedmix

@@ -33,15 +33,20 @@ class Rules {
     time();
     if (scene_.gas) gas(*scene_.gas);
     if (scene_.flux) flux(*scene_.flux);
+    scene_.effects.forEach([&]([[maybe_unused]] const Key& table, const auto& settings) {
+      if (settings) addAll(contradictions(scene_, *settings));
+    });
     if (scene_.limits.warnOverlap > scene_.limits.maxOverlap)
       add("limits.warn_overlap", {"limits.max_overlap"},
           "the warning lies above the limit that ends the run");
-    if (scene_.pictures)
-      for (Contradiction& c : contradictions(scene_, *scene_.pictures)) broken_.push_back(std::move(c));
+    if (scene_.pictures) addAll(contradictions(scene_, *scene_.pictures));
     return std::move(broken_);
   }
 
  private:
+  void addAll(std::vector<Contradiction> more) {
+    for (Contradiction& c : more) broken_.push_back(std::move(c));
+  }
   void add(std::string path, std::vector<std::string> concerns, std::string message) {
     broken_.push_back({std::move(path), std::move(message), std::move(concerns)});
   }

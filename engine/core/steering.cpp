@@ -2,6 +2,7 @@
 #include "engine/core/steering.h"
 
 #include "engine/core/scene_keys.h"
+#include "engine/effects/effects.h"
 
 #include <fmt/format.h>
 
@@ -41,16 +42,6 @@ constexpr std::array fixedSettings{
     Fixed{"sampling.interval", "frames fall on it"},
 };
 
-/// Tables that are there or not for the whole run, as what they switch on is part of its state.
-struct Effect {
-  std::string_view path, name;
-  bool (*isOn)(const Scene&);
-};
-constexpr std::array effects{
-    Effect{"gas", "gas", [](const Scene& s) { return s.gas.has_value(); }},
-    Effect{"contacts.friction", "friction", [](const Scene& s) { return s.contacts.friction.has_value(); }},
-};
-
 bool isAtOrBelow(std::string_view path, std::string_view table) {
   return path.starts_with(table) && (path.size() == table.size() || path[table.size()] == '.');
 }
@@ -60,23 +51,23 @@ std::string fixedText(std::string_view path) {
   return reason.empty() ? "" : fmt::format("{} is fixed while a run goes on: {}", path, reason);
 }
 
-std::string switchText(const Effect& effect, bool isOn) {
+std::string switchText(const EffectInfo& effect, bool isOn) {
   return fmt::format("[{}] is fixed while a run goes on: this one has {}{}, which is part of its state",
-                     effect.path, isOn ? "" : "no ", effect.name);
+                     effect.table, isOn ? "" : "no ", effect.name);
 }
 
 /// Why no value at all can be set there or removed; empty where one may.
 std::string refusal(const Scene& scene, const Override& change) {
-  for (const Effect& effect : effects) {
-    const bool isOn = effect.isOn(scene), removes = change.path == effect.path && change.value.empty();
-    if (isOn ? removes : isAtOrBelow(change.path, effect.path)) return switchText(effect, isOn);
+  for (const EffectInfo& effect : effectTable()) {
+    const bool isOn = effect.isOn(scene), removes = change.path == effect.table && change.value.empty();
+    if (isOn ? removes : isAtOrBelow(change.path, effect.table)) return switchText(effect, isOn);
   }
   return fixedText(change.path);
 }
 
 /// What a change of a whole table or list has changed that must not be; empty where all may.
 std::string refusal(const Scene& before, const Scene& after) {
-  for (const Effect& effect : effects)
+  for (const EffectInfo& effect : effectTable())
     if (effect.isOn(before) != effect.isOn(after)) return switchText(effect, effect.isOn(before));
   if (before.gas && before.gas->inlets.size() != after.gas->inlets.size())
     return fmt::format("the number of inlets is fixed while a run goes on: there are {}, not {}",

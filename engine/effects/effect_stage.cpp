@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: MIT
+#include "engine/effects/effect_stage.h"
+
+#include <array>
+
+namespace bedmix {
+
+namespace {
+
+using Make = std::unique_ptr<EffectStage> (*)(const EffectContext&);
+
+/// Each makes its stage, or none where the scene does not have its table.
+constexpr std::array<Make, 0> makers{};
+
+}  // namespace
+
+std::vector<std::unique_ptr<EffectStage>> effectStages(const EffectContext& context) {
+  std::vector<std::unique_ptr<EffectStage>> stages;
+  for (const Make make : makers)
+    if (auto stage = make(context)) stages.push_back(std::move(stage));
+  return stages;
+}
+
+}  // namespace bedmix

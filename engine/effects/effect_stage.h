@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "engine/core/frame.h"
+#include "engine/core/hash.h"
+#include "engine/core/scene.h"
+#include "engine/core/state_bytes.h"
+#include "engine/core/thread_team.h"
+
+#include <limits>
+#include <memory>
+#include <vector>
+
+namespace bedmix {
+
+class Exchange;
+class GasSolver;
+class ParticleSolver;
+class VoidageField;
+struct MomentumExchange;
+
+/// What an effect works on. What belongs to the gas is null without gas.
+struct EffectContext {
+  const Scene& scene;
+  ParticleSolver& solver;
+  GasSolver* gas;
+  VoidageField* voidage;
+  Exchange* exchange;
+  ThreadTeam& team;
+};
+
+/// An effect at work, as part of every gas step; without gas, of every stretch of particle steps. Those that
+/// only change how bodies touch are part of the contact law instead.
+class EffectStage {
+ public:
+  virtual ~EffectStage() = default;
+
+  /// The longest that a step of its may be where it has a limit of its own, s.
+  virtual double longestStep() const { return std::numeric_limits<double>::infinity(); }
+  /// Adds what the gas gets in the step (s) that comes to what it gets by drag.
+  virtual void chargeGas([[maybe_unused]] double step, [[maybe_unused]] MomentumExchange& exchange) {}
+  /// After the gas has taken the step and the particles know what it does to them: what else happens to them.
+  virtual void act(double step) = 0;
+
+  virtual void fill([[maybe_unused]] Frame& frame) const {}
+  virtual void hashInto([[maybe_unused]] StateHash& hash) const {}
+  // What it keeps beside the columns of Particles; see state_bytes.h.
+  virtual void save([[maybe_unused]] StateWriter& out) const {}
+  [[nodiscard]] virtual bool load([[maybe_unused]] StateReader& in) { return true; }
+};
+
+/// Those that the scene calls for, in the order in which they act. The context must outlive them.
+std::vector<std::unique_ptr<EffectStage>> effectStages(const EffectContext& context);
+
+}  // namespace bedmix
