@@ -3,6 +3,7 @@
 
 #include "engine/core/bed_statistics.h"
 #include "engine/core/hash.h"
+#include "engine/core/particle_list.h"
 #include "engine/core/walls.h"
 #include "engine/coupling/exchange.h"
 #include "engine/coupling/gas_step.h"
@@ -59,7 +60,7 @@ struct CoupledGas {
       : solver(scene, team), voidage(scene, solver.grid(), team), exchange(scene, solver, voidage, team) {
     if (scene.gas->step.isAutomatic()) chosenStep.emplace(scene, solver);
     particles.addExternalForces();
-    voidage.update(particles.position);
+    voidage.update(particles.position, particles.radii);
   }
 
   void setStep(double seconds) {
@@ -128,6 +129,7 @@ struct Simulation::State {
   std::vector<std::unique_ptr<EffectStage>> effects;
   std::vector<std::uint8_t> species;
   std::vector<std::int32_t> id;
+  ParticleList list;                       // empty where all are alike
   std::optional<ParticleStep> chosenStep;  // where the scene gives none
   std::int64_t step = 0, particleSteps = 0, gasSteps = 0;
   std::int64_t stretch = 0;     // ticks from one gas step, or choice of steps, to the next
@@ -162,7 +164,7 @@ void Simulation::State::actOut() {
 std::optional<std::string> Simulation::State::gasStep() {
   Particles& particles = solver->particles();
   StageClock clock(seconds);
-  gas->voidage.update(particles.position);
+  gas->voidage.update(particles.position, particles.radii);
   report.aboveGridLargest = std::max(report.aboveGridLargest, gas->voidage.aboveGrid());
   const double lowest = gas->voidage.lowest();
   clock.lap(Stage::voidage);
@@ -276,7 +278,8 @@ Simulation::Simulation(const Scene& scene, Particles start, std::unique_ptr<Thre
                             s.gas ? &s.gas->voidage : nullptr, s.gas ? &s.gas->exchange : nullptr, *s.team});
   s.stretch = s.stretchEnd = s.nextStretch();
   if (s.gas) s.gas->start(static_cast<double>(s.stretch) * tick(scene));
-  s.species = tagTracer(scene.tracer.rule, position, scene.bed.width);
+  if (isMixed(scene)) s.list = particleList(scene);
+  s.species = tagTracer(scene.tracer.rule, position, s.list.kinds, scene.bed.width);
 }
 
 void Simulation::save(StateWriter& out) const {
@@ -382,7 +385,7 @@ void Simulation::setTracer(TracerRule rule) {
   s.scene.tracer.rule = rule;
   std::vector<Vec2f> position;
   for (const Vec2 at : inOrderOfIds(s.solver->particles()).position) position.push_back(toFloat(at));
-  s.species = tagTracer(rule, position, s.scene.bed.width);
+  s.species = tagTracer(rule, position, s.list.kinds, s.scene.bed.width);
 }
 
 bool Simulation::gasFailed() const { return state_->gasFailed; }
@@ -402,6 +405,8 @@ FramePtr Simulation::frame() const {
   frame->time = time();
   frame->species = s.species;
   frame->id = s.id;
+  frame->radius.assign(s.list.radii.begin(), s.list.radii.end());
+  frame->kind = s.list.kinds;
   frame->position.resize(p.size());
   frame->velocity.resize(p.size());
   frame->angularVelocity.resize(p.spin.size());

@@ -62,9 +62,11 @@ struct JsonVisitor {
     Json& list = into[std::string(key.name)] = Json::array();
     for (const GridSpan& span : spans) list.push_back({span.count, span.size});
   }
-  void operator()(const Key& key, std::vector<Inlet>& inlets) {
+  template <class T>
+  void operator()(const Key& key, std::vector<T>& tables) {
+    if (tables.empty() && !key.required) return;
     Json& list = into[std::string(key.name)] = Json::array();
-    for (Inlet& inlet : inlets) list.push_back(tree(inlet));
+    for (T& table : tables) list.push_back(tree(table));
   }
 };
 

@@ -106,7 +106,7 @@ Result<TracerChoice> TracerChoice::parse(const std::string& text) {
 
 Result<std::vector<std::uint8_t>> TracerChoice::tag(const Frame& frame, const Scene& scene) const {
   if (const auto* rule = std::get_if<TracerRule>(&kind_))
-    return tagTracer(*rule, frame.position, scene.bed.width);
+    return tagTracer(*rule, frame.position, frame.kind, scene.bed.width);
   if (const auto* layers = std::get_if<Layers>(&kind_))
     return inLayers(frame, static_cast<std::size_t>(layers->count));
   std::vector<std::uint8_t> tags(frame.size());

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "engine/core/bed_statistics.h"
 
+#include "engine/core/particle_list.h"
+
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -11,14 +13,15 @@ double solidsFlux(const Frame& frame, const Scene& scene) {
   const FluxSettings& window = *scene.flux;
   const double halfWidth = scene.particles.diameter;
   const double floor = floorHeight(scene, window.x);
-  double leftward = 0.0;  // m/s, summed
+  const double ordinary = particleMass(scene);
+  double leftward = 0.0;  // m/s, summed over as many of ordinary mass
   for (std::size_t i = 0; i < frame.size(); ++i) {
     const double x = frame.position[i].x, y = frame.position[i].y - floor;
     if (std::abs(x - window.x) <= halfWidth && y >= window.from && y <= window.to)
-      leftward -= frame.velocity[i].x;
+      leftward -= massOf(scene, frame, i) / ordinary * frame.velocity[i].x;
   }
   const double volume = 2.0 * halfWidth * (window.to - window.from) * scene.bed.thickness;
-  return particleMass(scene) * leftward / volume;
+  return ordinary * leftward / volume;
 }
 
 double pressureDrop(const Frame& frame, const GasGrid& grid) {
@@ -38,9 +41,14 @@ double bedHeight(const Frame& frame, const Scene& scene) {
   return *at + 0.5 * scene.particles.diameter;
 }
 
-std::vector<std::uint8_t> tagTracer(TracerRule rule, const std::vector<Vec2f>& position, double width) {
+std::vector<std::uint8_t> tagTracer(TracerRule rule, const std::vector<Vec2f>& position,
+                                    const std::vector<std::uint8_t>& kind, double width) {
   const std::size_t n = position.size();
   std::vector<std::uint8_t> tag(n);
+  if (rule == TracerRule::species) {
+    for (std::size_t i = 0; i < kind.size(); ++i) tag[i] = kind[i] > 0;
+    return tag;
+  }
   if (rule == TracerRule::leftHalf || rule == TracerRule::rightHalf) {
     for (std::size_t i = 0; i < n; ++i)
       tag[i] = (position[i].x < width / 2) == (rule == TracerRule::leftHalf);

@@ -23,7 +23,8 @@ double pressureDrop(const Frame& frame, const GasGrid& grid);
 /// radius; 0 without particles.
 double bedHeight(const Frame& frame, const Scene& scene);
 
-/// Tags 1 = tracer by rule, for positions at the start.
-std::vector<std::uint8_t> tagTracer(TracerRule rule, const std::vector<Vec2f>& position, double width);
+/// Tags 1 = tracer by rule, for positions at the start. `kind` is that of Frame, and may be empty.
+std::vector<std::uint8_t> tagTracer(TracerRule rule, const std::vector<Vec2f>& position,
+                                    const std::vector<std::uint8_t>& kind, double width);
 
 }  // namespace bedmix

@@ -6,6 +6,7 @@
 
 namespace bedmix {
 
+struct ParticleSettings;
 struct PictureSettings;
 struct Scene;
 
@@ -16,6 +17,8 @@ struct Contradiction {
   std::vector<std::string> concerns;  // the other keys it follows from
 };
 std::vector<Contradiction> contradictions(const Scene& scene);
+/// Of these, those of kinds and sizes.
+std::vector<Contradiction> contradictions(const Scene& scene, const ParticleSettings& particles);
 /// The same of settings of pictures, which need not be the scene's own.
 std::vector<Contradiction> contradictions(const Scene& scene, const PictureSettings& pictures);
 

@@ -29,7 +29,10 @@ struct Frame {
   std::vector<float> angularVelocity;  // rad/s, counter-clockwise; empty where the scene has no friction
   std::vector<std::uint8_t> species;   // 1 = tracer (black), 0 = the rest (green)
   std::vector<std::int32_t> id;        // other programs' particles enter and leave: follow them by it
-  GasFrame gas;                        // empty where the scene has no gas
+  /// Of particles that are not all alike; else empty.
+  std::vector<float> radius;       // m
+  std::vector<std::uint8_t> kind;  // number of particleKinds()
+  GasFrame gas;                    // empty where the scene has no gas
 
   std::size_t size() const { return position.size(); }
   bool hasGas() const { return !gas.voidage.empty(); }

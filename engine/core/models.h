@@ -31,7 +31,9 @@ enum class FloorShape { straight, stair };
 /// How a run begins.
 enum class Arrangement { settled, drop };
 /// Which particles carry the tracer colour.
-enum class TracerRule { leftHalf, rightHalf, lowerHalf, upperHalf };
+enum class TracerRule { leftHalf, rightHalf, lowerHalf, upperHalf, species };
+/// How the diameters of one kind of particles differ.
+enum class SizeDistribution { normal, lognormal, uniform };
 
 /// How much a run may err and cost; see presets.h for what each stands for.
 enum class Accuracy { draft, standard, paper, reference };
@@ -102,6 +104,13 @@ inline constexpr std::array modelTable<TracerRule>{
     ModelInfo{"right-half", "x >= width/2 at the start", ""},
     ModelInfo{"lower-half", "the half of the particles that lies lowest at the start", ""},
     ModelInfo{"upper-half", "the half of the particles that lies highest at the start", ""},
+    ModelInfo{"species", "all but the first kind of particles", ""},
+};
+template <>
+inline constexpr std::array modelTable<SizeDistribution>{
+    ModelInfo{"normal", "d = mean (1 + deviation z), |z| <= cut", ""},
+    ModelInfo{"lognormal", "d = median exp(deviation z), |z| <= cut", ""},
+    ModelInfo{"uniform", "all between mean (1 - sqrt(3) deviation) and mean (1 + sqrt(3) deviation)", ""},
 };
 template <>
 inline constexpr std::array modelTable<Accuracy>{

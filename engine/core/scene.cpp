@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "engine/core/scene.h"
 
+#include "engine/core/particle_list.h"
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -22,31 +24,41 @@ double dampingFor(double restitution, double stiffness, double reducedMass) {
 }
 
 double bedWeight(const Scene& scene) {
-  return static_cast<double>(scene.particles.count) * particleMass(scene) * scene.gravity /
-         (scene.bed.width * scene.bed.thickness);
+  const double mass = isMixed(scene) ? particleMeans(scene).mass
+                                     : static_cast<double>(scene.particles.count) * particleMass(scene);
+  return mass * scene.gravity / (scene.bed.width * scene.bed.thickness);
+}
+
+double lightestMass(const Scene& scene) {
+  return isMixed(scene) ? particleRange(scene).lightest : particleMass(scene);
 }
 
 double pairDamping(const Scene& scene) {
   const ContactSettings& c = scene.contacts;
   return c.damping ? *c.damping
-                   : dampingFor(c.restitution.value_or(1.0), c.stiffness, particleMass(scene) / 2);
+                   : dampingFor(c.restitution.value_or(1.0), c.stiffness, lightestMass(scene) / 2);
 }
 
 double wallDamping(const Scene& scene) {
   const ContactSettings& c = scene.contacts;
-  return c.damping ? *c.damping : dampingFor(c.restitution.value_or(1.0), c.stiffness, particleMass(scene));
+  return c.damping ? *c.damping : dampingFor(c.restitution.value_or(1.0), c.stiffness, lightestMass(scene));
 }
 
 double contactTimeScale(const Scene& scene) {
-  return 2.0 * pi * std::sqrt(particleMass(scene) / scene.contacts.stiffness);
+  return 2.0 * pi * std::sqrt(lightestMass(scene) / scene.contacts.stiffness);
 }
 
 double minimumFluidizationVelocity(const Scene& scene) {
   const GasSettings& g = *scene.gas;
   if (g.minimumFluidizationVelocity) return *g.minimumFluidizationVelocity;
-  const double d = scene.particles.diameter;
-  const double archimedes = d * d * d * g.density * (scene.particles.density - g.density) * scene.gravity /
-                            (g.viscosity * g.viscosity);
+  double d = scene.particles.diameter, density = scene.particles.density;
+  if (isMixed(scene)) {
+    const ParticleMeans means = particleMeans(scene);
+    d = means.diameter;
+    density = means.density;
+  }
+  const double archimedes =
+      d * d * d * g.density * (density - g.density) * scene.gravity / (g.viscosity * g.viscosity);
   const double reynolds = std::sqrt(33.7 * 33.7 + 0.0408 * archimedes) - 33.7;
   return reynolds * g.viscosity / (g.density * d);
 }
@@ -68,9 +80,12 @@ double floorHeight(const Scene& scene, double x) {
 double longestStep(const Scene& scene) { return contactTimeScale(scene) / 14.0; }
 
 double packedRelaxation(const Scene& scene) {
-  const ParticleSettings& p = scene.particles;
-  return packedVoidage * p.density * p.diameter * p.diameter /
-         (150.0 * (1.0 - packedVoidage) * scene.gas->viscosity);
+  double least = infinity;  // density times diameter squared
+  for (const ParticleKind& kind : particleKinds(scene)) {
+    const double d = smallestDiameter(kind);
+    least = std::min(least, packedVoidage * kind.density * d * d);
+  }
+  return least / (150.0 * (1.0 - packedVoidage) * scene.gas->viscosity);
 }
 
 double longestGasStep(const Scene& scene) {

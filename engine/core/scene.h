@@ -29,10 +29,30 @@ struct FloorSettings {
   FloorShape shape = FloorShape::straight;
 };
 
+/// Spheres of many sizes instead of one.
+struct SizeSettings {
+  SizeDistribution distribution = SizeDistribution::normal;
+  double deviation = 0.1;  // standard, of the mean; of a log-normal one, of the logarithm
+  double cut = 2.5;        // none is further from the mean, in deviations
+};
+
+/// A further kind of particles.
+struct SpeciesSettings {
+  std::string name;
+  std::int64_t count = 0;          // of all
+  std::optional<double> diameter;  // m; of the first kind where absent, as are the others
+  std::optional<double> density;   // kg/m3
+  std::optional<SizeSettings> size;
+};
+
+/// The first kind, and how many there are of all kinds together.
 struct ParticleSettings {
   std::int64_t count = 1000;
-  double diameter = 0.004;  // m
+  double diameter = 0.004;  // m; the mean one where sizes differ, the median of log-normal ones
   double density = 1500.0;  // kg/m3
+  std::string name = "first";
+  std::optional<SizeSettings> size;
+  std::vector<SpeciesSettings> species;
 };
 
 struct FrictionSettings {
@@ -41,11 +61,19 @@ struct FrictionSettings {
   double dampingRatio = 2.0 / 7.0;    // tangential over normal dashpot
 };
 
+/// What contacts between two kinds, or of one with the walls, have of their own.
+struct PairSettings {
+  std::string first, second;  // names of kinds; the second may be "wall"
+  std::optional<double> restitution;
+  std::optional<double> friction;  // coefficient
+};
+
 struct ContactSettings {
   double stiffness = 2000.0;          // N/m
   std::optional<double> restitution;  // exactly one of
   std::optional<double> damping;      // these two; kg/s
   std::optional<FrictionSettings> friction;
+  std::vector<PairSettings> pairs;
 };
 
 struct TimeSettings {
@@ -150,12 +178,14 @@ struct Scene {
 
 // What follows from the settings.
 
-double particleMass(const Scene& scene);    // kg
+double particleMass(const Scene& scene);    // kg, of the first kind's
 double particleVolume(const Scene& scene);  // m3
+/// Of a particle, kg: those that make the shortest steps. All masses are this one where all are alike.
+double lightestMass(const Scene& scene);
 /// Weight of all particles over the area the bed stands on, Pa: what the gas has to carry.
 double bedWeight(const Scene& scene);
-/// Normal dashpot, kg/s, between two particles and between a particle and a wall. From `restitution`, each
-/// gets the value that gives it; from `damping`, both get that.
+/// Normal dashpot, kg/s, between two particles and between a particle and a wall, of the lightest. From
+/// `restitution`, each gets the value that gives it; from `damping`, both get that.
 double pairDamping(const Scene& scene);
 double wallDamping(const Scene& scene);
 /// The dashpot, kg/s, at which two bodies of reduced mass m (kg) on a spring k (N/m) rebound with restitution

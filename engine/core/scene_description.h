@@ -25,10 +25,30 @@ void describe(FloorSettings& s, V& visit) {
 }
 
 template <class V>
+void describe(SizeSettings& s, V& visit) {
+  visit(Key{"distribution", "", {}, "of the diameters"}, s.distribution);
+  visit(Key{"deviation", "", {0.0, 0.5, true}, "standard deviation over the mean; of the logarithm, if that"},
+        s.deviation);
+  visit(Key{"cut", "", {0.5, 4.0}, "deviations from the mean beyond which there is none"}, s.cut);
+}
+
+template <class V>
+void describe(SpeciesSettings& s, V& visit) {
+  visit(Key{"name", "", {}, "what this kind is called", true}, s.name);
+  visit(Key{"count", "", {1.0, 1e8}, "how many of all particles are of it", true}, s.count);
+  visit(Key{"diameter", "m", positive, "diameter; that of the first kind where absent"}, s.diameter);
+  visit(Key{"density", "kg/m3", positive, "density; that of the first kind where absent"}, s.density);
+  visit(Key{"size", "", {}, "sizes that differ"}, s.size);
+}
+
+template <class V>
 void describe(ParticleSettings& s, V& visit) {
   visit(Key{"count", "", {0.0, 1e8}, "number of particles", true}, s.count);
   visit(Key{"diameter", "m", positive, "diameter of the spheres", true}, s.diameter);
   visit(Key{"density", "kg/m3", positive, "density of the solid", true}, s.density);
+  visit(Key{"name", "", {}, "what this first kind is called"}, s.name);
+  visit(Key{"size", "", {}, "switches on sizes that differ; diameter is their mean, or median"}, s.size);
+  visit(Key{"species", "", {}, "further kinds of particles"}, s.species);
 }
 
 template <class V>
@@ -41,6 +61,14 @@ void describe(FrictionSettings& s, V& visit) {
 }
 
 template <class V>
+void describe(PairSettings& s, V& visit) {
+  visit(Key{"first", "", {}, "name of a kind of particles", true}, s.first);
+  visit(Key{"second", "", {}, "name of a kind, or \"wall\"", true}, s.second);
+  visit(Key{"restitution", "", {0.0, 1.0, true}, "of contacts between these"}, s.restitution);
+  visit(Key{"friction", "", notNegative, "Coulomb's coefficient between these"}, s.friction);
+}
+
+template <class V>
 void describe(ContactSettings& s, V& visit) {
   visit(Key{"stiffness", "N/m", positive, "normal spring, of pairs and walls", true}, s.stiffness);
   visit(Key{"restitution", "", {0.0, 1.0, true}, "rebound over approach speed; or give damping"},
@@ -48,6 +76,7 @@ void describe(ContactSettings& s, V& visit) {
   visit(Key{"damping", "kg/s", notNegative, "normal dashpot of pairs and walls; or give restitution"},
         s.damping);
   visit(Key{"friction", "", {}, "switches on tangential forces and rotation"}, s.friction);
+  visit(Key{"pairs", "", {}, "what contacts of certain kinds have of their own"}, s.pairs);
 }
 
 template <class V>

@@ -34,9 +34,10 @@ class KeyCollector {
     add(key, "\"white\", \"black\" or \"#rrggbb\"", tomlString(colorText(v)));
   }
 
-  void operator()(const Key& key, std::vector<Inlet>&) {
-    Inlet inlet;
-    descend(key, "list of tables", inlet);
+  template <class T>
+  void operator()(const Key& key, std::vector<T>&) {
+    T element;
+    descend(key, "list of tables", element);
   }
 
   template <class T>
@@ -108,6 +109,10 @@ std::string withoutNumbers(std::string_view path) {
     begin = end + 1;
   }
   return key;
+}
+
+bool isAtOrBelow(std::string_view path, std::string_view table) {
+  return path.starts_with(table) && (path.size() == table.size() || path[table.size()] == '.');
 }
 
 std::string rangeText(const Key& key) {

@@ -23,6 +23,9 @@ std::vector<SceneKey> sceneKeys();
 /// The path of a key without the numbers of elements: "gas.inlets.from" of "gas.inlets.0.from".
 std::string withoutNumbers(std::string_view path);
 
+/// Whether a path is that of a table or of something in it.
+bool isAtOrBelow(std::string_view path, std::string_view table);
+
 /// "above 0 m", "from 0 to 1", "" without limits.
 std::string rangeText(const Key& key);
 

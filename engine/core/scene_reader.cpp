@@ -79,7 +79,8 @@ class TableReader {
   static std::string nameOf(const Key& key, const std::vector<std::int64_t>&, const std::string&) {
     return fmt::format("the key \"{}\"", key.name);
   }
-  static std::string nameOf(const Key&, const std::vector<Inlet>&, const std::string& path) {
+  template <class T>
+  static std::string nameOf(const Key&, const std::vector<T>&, const std::string& path) {
     return fmt::format("tables [[{}]]", path);
   }
 
@@ -233,13 +234,13 @@ class TableReader {
       read(key, element, join(path, std::to_string(numbers.size())), numbers.emplace_back());
   }
 
-  void read(const Key&, const toml::node& node, const std::string& path, std::vector<Inlet>& inlets) {
+  template <class T>
+  void read(const Key&, const toml::node& node, const std::string& path, std::vector<T>& tables) {
     const auto* list = node.as_array();
     if (!list) return wrongType(node, path, fmt::format("tables, each headed [[{}]]", path));
     if (isTooLong(*list, path)) return;
-    std::size_t index = 0;
     for (const toml::node& element : *list)
-      readTable(element, join(path, std::to_string(index++)), inlets.emplace_back());
+      readTable(element, join(path, std::to_string(tables.size())), tables.emplace_back());
   }
 
   template <class T>

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "engine/core/particle_list.h"
 #include "engine/core/scene_reader.h"
 
 #include <fmt/format.h>
@@ -28,6 +29,7 @@ class Rules {
   explicit Rules(const Scene& scene) : scene_(scene) {}
 
   std::vector<Contradiction> broken() {
+    addAll(contradictions(scene_, scene_.particles));
     bed();
     contacts();
     time();
@@ -53,7 +55,7 @@ class Rules {
 
   void bed() {
     const BedSettings& bed = scene_.bed;
-    const double d = scene_.particles.diameter;
+    const double d = particleRange(scene_).largest;
     if (bed.thickness < d * (1.0 - rounding))
       add("bed.thickness", {"particles.diameter"},
           fmt::format("the bed is {} m thick, but its particles are {} m; give at least a diameter",
@@ -87,7 +89,7 @@ class Rules {
   }
 
   void sizeFitsFrames(const std::string& path, double size) {
-    const double diameters = size / scene_.particles.diameter;
+    const double diameters = size / particleRange(scene_).smallest;
     if (diameters > mostDiameters)
       add(path, {"particles.diameter"},
           fmt::format("{} is {:.3g} particle diameters; frames are precise enough for a bed of {:g}, so take "
@@ -181,12 +183,14 @@ class Rules {
               "gas and particles would overshoot each other more with every step. Take at most {:.3g} s",
               static_cast<double>(gas.step), relaxation, longest));
     const double lightest = gas.density * (1.0 - packedVoidage) / (2.0 * packedVoidage);
-    if (p.density < lightest * (1.0 - rounding))
-      add("particles.density", {"gas.density"},
-          fmt::format(
-              "particles of {} kg/m3 are too light for a gas of {} kg/m3: gas and particles would overshoot "
-              "each other more with every step. Give at least {:.4g} kg/m3",
-              p.density, gas.density, lightest));
+    const std::vector<ParticleKind> kinds = particleKinds(scene_);
+    for (std::size_t k = 0; k < kinds.size(); ++k)
+      if (kinds[k].density < lightest * (1.0 - rounding))
+        add(k == 0 ? "particles.density" : fmt::format("particles.species.{}.density", k - 1),
+            {"gas.density"},
+            fmt::format("particles of {} kg/m3 are too light for a gas of {} kg/m3: gas and particles would "
+                        "overshoot each other more with every step. Give at least {:.4g} kg/m3",
+                        kinds[k].density, gas.density, lightest));
   }
 
   void spansFill(const std::string& path, const std::vector<GridSpan>& spans, const std::string& ofPath,
@@ -196,7 +200,7 @@ class Rules {
     if (std::abs(sum - length) > rounding * length)
       add(path, {ofPath},
           fmt::format("the cells add up to {:.9g} m, but {} is {:.9g} m", sum, ofPath, length));
-    const double d = scene_.particles.diameter;
+    const double d = particleRange(scene_).largest;
     for (const GridSpan& s : spans)
       if (scene_.particles.count > 0 && s.size < d)
         add(path, {"particles.diameter"},

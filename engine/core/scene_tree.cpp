@@ -2,6 +2,7 @@
 #include "engine/core/scene_tree.h"
 
 #include "engine/core/presets.h"
+#include "engine/core/scene_keys.h"
 
 #include <fmt/format.h>
 
@@ -34,10 +35,6 @@ std::size_t tooDeep(std::string_view text) {
 }
 
 std::string tooManyParts() { return fmt::format("a key of more than {} parts; a scene has none", mostParts); }
-
-bool isAtOrBelow(std::string_view path, std::string_view ancestor) {
-  return path.starts_with(ancestor) && (path.size() == ancestor.size() || path[ancestor.size()] == '.');
-}
 
 std::vector<std::string_view> segments(std::string_view path) {
   std::vector<std::string_view> parts;

@@ -40,9 +40,10 @@ class TableWriter {
     line(key, '[' + list + ']');
   }
 
-  void operator()(const Key& key, std::vector<Inlet>& inlets) {
-    if (inlets.empty()) line(key, "[]");
-    for (std::size_t i = 0; i < inlets.size(); ++i) table("[[{}]]", key, inlets[i], fmt::format(".{}", i));
+  template <class T>
+  void operator()(const Key& key, std::vector<T>& tables) {
+    if (tables.empty() && key.required) line(key, "[]");
+    for (std::size_t i = 0; i < tables.size(); ++i) table("[[{}]]", key, tables[i], fmt::format(".{}", i));
   }
 
   template <class T>

@@ -42,10 +42,6 @@ constexpr std::array fixedSettings{
     Fixed{"sampling.interval", "frames fall on it"},
 };
 
-bool isAtOrBelow(std::string_view path, std::string_view table) {
-  return path.starts_with(table) && (path.size() == table.size() || path[table.size()] == '.');
-}
-
 std::string fixedText(std::string_view path) {
   const std::string_view reason = reasonFixed(path);
   return reason.empty() ? "" : fmt::format("{} is fixed while a run goes on: {}", path, reason);

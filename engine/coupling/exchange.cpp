@@ -97,6 +97,7 @@ ExchangeKernel Exchange::kernel(Particles& particles) const {
           .levelVelocity = levelVelocity_.data(),
           .voidage = voidage_.atPoints().data(),
           .pressureGradient = gradient_.data(),
+          .radii = particles.areMixed() ? particles.radii.data() : nullptr,
           .position = particles.position.data(),
           .velocity = particles.velocity.data(),
           .external = particles.external.data(),

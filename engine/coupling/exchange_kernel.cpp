@@ -39,15 +39,18 @@ HWY_INLINE PairOf gasVelocity(const ExchangeKernel& k, std::int32_t stride, cons
                  hn::Load(d, shares.right + 2 * i));
 }
 
-template <class D>
-HWY_INLINE void storeShares(D d, const CouplingGrid& grid, const AxisPlace<D>& x, const AxisPlace<D>& y,
-                            hn::Vec<D> coupled, std::size_t i, BatchShares& shares) {
-  hn::Store(volumeShare(d, grid, x), d, shares.rightVolume + i);
-  hn::Store(volumeShare(d, grid, y), d, shares.upperVolume + i);
+/// Of the i-th of a batch that begins with particle `first`.
+template <bool mixed, class D>
+HWY_INLINE void storeShares(D d, const Sizes<mixed>& sizes, std::size_t first, const AxisPlace<D>& x,
+                            const AxisPlace<D>& y, hn::Vec<D> coupled, std::size_t i, BatchShares& shares) {
+  const auto perDiameter = sizes.perDiameter(d, first + i);
+  hn::Store(volumeShare(d, perDiameter, x), d, shares.rightVolume + i);
+  hn::Store(volumeShare(d, perDiameter, y), d, shares.upperVolume + i);
   storePairs(d, x.within, centreShare(d, x), shares.right + 2 * i);
   hn::Store(y.within, d, shares.upperFace + i);
   hn::Store(centreShare(d, y), d, shares.upperCentre + i);
-  hn::Store(coupled * hn::Set(d, grid.particleVolume), d, shares.coupledVolume + i);
+  hn::Store(sizes.inVolumes(d, first + i, coupled * hn::Set(d, sizes.grid.particleVolume)), d,
+            shares.coupledVolume + i);
 }
 
 /// Shares `given`, a coefficient and a source, out to four faces.
@@ -64,14 +67,14 @@ HWY_INLINE void deposit(PairOf given, PairOf right, PairOf upper, double* lowerF
   add(upperFace + next, toUpperRight);
 }
 
-}  // namespace
-
-void findSlip(const ExchangeKernel& kernel, Numbering sum, ExchangeBatch& batch) {
+template <bool mixed>
+void findSlipOf(const ExchangeKernel& kernel, Numbering sum, ExchangeBatch& batch) {
   const ExchangeKernel k = kernel;  // its own, so that no store can change it
+  const Sizes<mixed> sizes{*k.grid, k.radii};
   const Numbering points{k.grid->stride, 0};
   locate(*k.grid, k.position + batch.begin, batch.size,
          [&](auto d, std::size_t i, auto x, auto y, auto coupled) HWY_ATTR {
-           storeShares(d, *k.grid, x, y, coupled, i, batch.shares);
+           storeShares(d, sizes, batch.begin, x, y, coupled, i, batch.shares);
            storeIndices(d, points, x, y, i, batch.inGrid);
            storeIndices(d, sum, x, y, i, batch.inSum);
          });
@@ -88,12 +91,16 @@ void findSlip(const ExchangeKernel& kernel, Numbering sum, ExchangeBatch& batch)
               batch.voidage + i);
     const auto u = loadPairs(d, velocity + 2 * i), v = loadPlane(d, k.velocity + batch.begin + i);
     const auto alongX = u.x - v.x, alongY = u.y - v.y;
-    hn::Store(hn::Sqrt(alongX * alongX + alongY * alongY), d, batch.slip + i);
+    auto slip = hn::Sqrt(alongX * alongX + alongY * alongY);
+    if constexpr (mixed) slip = slip * sizes.ratio(d, batch.begin + i);
+    hn::Store(slip, d, batch.slip + i);
   });
 }
 
-void giveDrag(const ExchangeKernel& kernel, const ExchangeBatch& batch, BlockSum<FaceSums>& sum) {
+template <bool mixed>
+void giveDragOf(const ExchangeKernel& kernel, const ExchangeBatch& batch, BlockSum<FaceSums>& sum) {
   const ExchangeKernel k = kernel;
+  [[maybe_unused]] const Sizes<mixed> sizes{*k.grid, k.radii};
   alignas(64) double upright[2 * batchSize], level[2 * batchSize];  // coefficient and source
   forVectors(batch.size, [&](auto d, std::size_t i) HWY_ATTR {
     const std::size_t p = batch.begin + i;
@@ -101,7 +108,11 @@ void giveDrag(const ExchangeKernel& kernel, const ExchangeBatch& batch, BlockSum
     const auto foreseen = loadPlane(d, k.foreseen + p);
     const auto step = hn::Set(d, k.gasStep);
     const auto owed = hn::LoadU(d, k.drag + p) * hn::Set(d, 1.0 / k.gasStep);
-    const auto drag = hn::Load(d, batch.shares.coupledVolume + i) * hn::Load(d, batch.drag + i);
+    auto drag = hn::Load(d, batch.shares.coupledVolume + i) * hn::Load(d, batch.drag + i);
+    if constexpr (mixed) {
+      const auto ratio = sizes.ratio(d, p);
+      drag = drag / (ratio * ratio);
+    }
     storePairs(d, drag, drag * v.x + owed * (at.x - foreseen.x), upright + 2 * i);
     storePairs(d, drag, drag * v.y + owed * (at.y - foreseen.y), level + 2 * i);
     hn::StoreU(drag, d, k.drag + p);
@@ -119,12 +130,14 @@ void giveDrag(const ExchangeKernel& kernel, const ExchangeBatch& batch, BlockSum
   });
 }
 
-void takeForces(const ExchangeKernel& kernel, ExchangeBatch& batch) {
+template <bool mixed>
+void takeForcesOf(const ExchangeKernel& kernel, ExchangeBatch& batch) {
   const ExchangeKernel k = kernel;
+  const Sizes<mixed> sizes{*k.grid, k.radii};
   const Numbering points{k.grid->stride, 0};
   locate(*k.grid, k.position + batch.begin, batch.size,
          [&](auto d, std::size_t i, auto x, auto y, auto coupled) HWY_ATTR {
-           storeShares(d, *k.grid, x, y, coupled, i, batch.shares);
+           storeShares(d, sizes, batch.begin, x, y, coupled, i, batch.shares);
            storeIndices(d, points, x, y, i, batch.inGrid);
          });
   for (std::size_t i = 0; i < batch.size; ++i) {
@@ -141,6 +154,18 @@ void takeForces(const ExchangeKernel& kernel, ExchangeBatch& batch) {
                          hn::Set(d, batch.shares.coupledVolume[i]) * gradient;
     hn::StoreU(force, d, &k.external[p].x);
   }
+}
+
+}  // namespace
+
+void findSlip(const ExchangeKernel& kernel, Numbering sum, ExchangeBatch& batch) {
+  (kernel.radii ? findSlipOf<true> : findSlipOf<false>)(kernel, sum, batch);
+}
+void giveDrag(const ExchangeKernel& kernel, const ExchangeBatch& batch, BlockSum<FaceSums>& sum) {
+  (kernel.radii ? giveDragOf<true> : giveDragOf<false>)(kernel, batch, sum);
+}
+void takeForces(const ExchangeKernel& kernel, ExchangeBatch& batch) {
+  (kernel.radii ? takeForcesOf<true> : takeForcesOf<false>)(kernel, batch);
 }
 
 }  // namespace bedmix::HWY_NAMESPACE

@@ -20,8 +20,11 @@ struct ExchangeBatch {
   BatchShares shares;
   PointIndices inGrid, inSum;
   alignas(64) double voidage[batchSize];
-  alignas(64) double slip[batchSize];  // m/s
-  alignas(64) double drag[batchSize];  // per volume of particles and slip, kg/(m3 s)
+  /// m/s; where particles differ, such as gives one of the grid's diameter the same Reynolds number.
+  alignas(64) double slip[batchSize];
+  /// Of one of the grid's diameter, per volume of particles and slip, kg/(m3 s). All laws are the same
+  /// function of voidage and Reynolds number over the square of the diameter.
+  alignas(64) double drag[batchSize];
 };
 
 /// The loops over the particles of a batch, in vectors.
@@ -33,6 +36,7 @@ struct ExchangeKernel {
   const double* voidage = nullptr;
   const Vec2* pressureGradient = nullptr;  // Pa/m
   // Per particle; see Particles.
+  const double* radii = nullptr;  // null where all are alike
   const Vec2 *position = nullptr, *velocity = nullptr;
   Vec2 *external = nullptr, *foreseen = nullptr;
   double* drag = nullptr;

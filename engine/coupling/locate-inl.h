@@ -71,11 +71,37 @@ HWY_INLINE AxisPlace<D> findPlace(D d, const GridAxis& axis, V at) {
   return place;
 }
 
+/// How large particles are: all alike or, with their radii, one by one.
+template <bool mixed>
+struct Sizes {
+  const CouplingGrid& grid;
+  const double* radii;
+
+  /// Their diameters over that of the grid's particle.
+  template <class D>
+  HWY_INLINE hn::Vec<D> ratio(D d, std::size_t i) const {
+    if constexpr (mixed) return hn::LoadU(d, radii + i) * hn::Set(d, 2.0 * grid.perDiameter);
+    return hn::Set(d, 1.0);
+  }
+  template <class D>
+  HWY_INLINE hn::Vec<D> perDiameter(D d, std::size_t i) const {
+    if constexpr (mixed) return hn::Set(d, 0.5) / hn::LoadU(d, radii + i);
+    return hn::Set(d, grid.perDiameter);
+  }
+  /// So many volumes of the grid's particle.
+  template <class D>
+  HWY_INLINE hn::Vec<D> inVolumes(D d, std::size_t i, hn::Vec<D> particles) const {
+    if constexpr (!mixed) return particles;
+    const auto r = ratio(d, i);
+    return particles * (r * r * r);
+  }
+};
+
 /// The share of a particle's volume that is in the upper one of the two nearest cells.
 template <class D>
-HWY_INLINE hn::Vec<D> volumeShare(D d, const CouplingGrid& grid, const AxisPlace<D>& place) {
+HWY_INLINE hn::Vec<D> volumeShare(D d, hn::Vec<D> perDiameter, const AxisPlace<D>& place) {
   const auto beyondFace = (place.within - place.upper) * place.size;
-  const auto share = hn::Set(d, 0.5) + beyondFace * hn::Set(d, grid.perDiameter);
+  const auto share = hn::Set(d, 0.5) + beyondFace * perDiameter;
   return hn::Max(hn::Zero(d), hn::Min(share, hn::Set(d, 1.0)));
 }
 

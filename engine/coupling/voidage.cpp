@@ -19,14 +19,15 @@ VoidageField::VoidageField(const Scene& scene, const GasGrid& grid, ThreadTeam& 
     for (int c = 0; c < grid.columns; ++c) perVolume_.push_back(points_.particleVolume / grid.volume(c, r));
 }
 
-void VoidageField::update(const std::vector<Vec2>& position) {
+void VoidageField::update(const std::vector<Vec2>& position, const std::vector<double>& radii) {
   const std::size_t n = position.size();
   blocks_.resize(blocksOf(n));
   team_.run([&](int member) {
     const Range mine = team_.share(blocks_.size(), member);
     for (std::size_t b = mine.begin; b < mine.end; ++b) {
       const Range block = blockOf(n, blocks_.size(), b);
-      deposit(blocks_[b], std::span(position).subspan(block.begin, block.end - block.begin));
+      deposit(blocks_[b], std::span(position).subspan(block.begin, block.end - block.begin),
+              radii.empty() ? nullptr : radii.data() + block.begin);
     }
     team_.barrier();
     lowestOf_[member] = addBlocks(points_.columnsOf(team_, member));
@@ -36,16 +37,16 @@ void VoidageField::update(const std::vector<Vec2>& position) {
   for (const Block& block : blocks_) aboveGrid_ += block.aboveGrid;
 }
 
-void VoidageField::deposit(Block& block, std::span<const Vec2> position) const {
+void VoidageField::deposit(Block& block, std::span<const Vec2> position, const double* radii) const {
   block.solids.clear(points_, position);
-  depositVolume(points_, position, block.solids);
+  depositVolume(points_, position, radii, block.solids);
   block.aboveGrid =
       std::count_if(position.begin(), position.end(), [&](Vec2 at) { return at.y > points_.y.length; });
 }
 
 double VoidageField::addBlocks(Range columns) {
   points_.forPoints(columns, [&](std::size_t k) { atPoints_[k] = 0.0; });
-  for (const Block& block : blocks_)  // in particles
+  for (const Block& block : blocks_)  // in volumes of a particle
     block.solids.forPoints(points_, columns,
                            [&](std::size_t k, double solids) { atPoints_[points_.cellOwner(k)] += solids; });
   double lowest = 1.0;

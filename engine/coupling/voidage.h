@@ -13,18 +13,19 @@
 
 namespace bedmix {
 
-/// Spreads each particle over a square of one diameter and cuts that by the cells: volume is conserved to
+/// Spreads each particle over a square of its diameter and cuts that by the cells: volume is conserved to
 /// round-off and the voidage changes continuously in time, which d(eps)/dt in the continuity equation needs
 /// (counting centres makes the pressure spike). The voidage is three-dimensional: spheres in a slab of the
 /// bed's thickness. What would fall outside the side walls stays in the wall cell, what dips into blocked
-/// cells goes to the lowest open cell of the column. Cells must not be smaller than a diameter (the scene
-/// reader sees to it).
+/// cells goes to the lowest open cell of the column. Cells must not be smaller than the largest diameter (the
+/// scene reader sees to it).
 class VoidageField {
  public:
   /// `grid` and `team` must outlive the field.
   VoidageField(const Scene& scene, const GasGrid& grid, ThreadTeam& team);
 
-  void update(const std::vector<Vec2>& position);
+  /// `radii` (m) are empty where all are alike.
+  void update(const std::vector<Vec2>& position, const std::vector<double>& radii = {});
 
   const std::vector<double>& voidage() const { return voidage_; }  // per cell; 1 in blocked cells
   double lowest() const { return lowest_; }
@@ -36,10 +37,10 @@ class VoidageField {
 
  private:
   struct Block {
-    BlockSum<double> solids;  // in particles
+    BlockSum<double> solids;  // in volumes of the grid's particle
     std::int64_t aboveGrid = 0;
   };
-  void deposit(Block& block, std::span<const Vec2> position) const;
+  void deposit(Block& block, std::span<const Vec2> position, const double* radii) const;
   /// Voidage in a part of the points' columns; returns the lowest there.
   double addBlocks(Range columns);
 

@@ -10,15 +10,22 @@
 HWY_BEFORE_NAMESPACE();
 namespace bedmix::HWY_NAMESPACE {
 
-void depositVolume(const CouplingGrid& grid, std::span<const Vec2> position, BlockSum<double>& sum) {
+namespace {
+
+template <bool mixed>
+void depositAll(const CouplingGrid& grid, std::span<const Vec2> position, const double* radii,
+                BlockSum<double>& sum) {
+  const Sizes<mixed> sizes{grid, radii};
   const Numbering numbering = sum.numbering();
   alignas(64) double cell[batchSize];
   alignas(64) double lowerLeft[batchSize], lowerRight[batchSize], upperLeft[batchSize], upperRight[batchSize];
   for (std::size_t begin = 0; begin < position.size(); begin += batchSize) {
     const std::size_t n = std::min(batchSize, position.size() - begin);
     locate(grid, &position[begin], n, [&](auto d, std::size_t i, auto x, auto y, auto coupled) HWY_ATTR {
-      const auto right = coupled * volumeShare(d, grid, x), left = coupled - right;
-      const auto above = volumeShare(d, grid, y);
+      const auto perDiameter = sizes.perDiameter(d, begin + i),
+                 whole = sizes.inVolumes(d, begin + i, coupled);
+      const auto right = whole * volumeShare(d, perDiameter, x), left = whole - right;
+      const auto above = volumeShare(d, perDiameter, y);
       hn::Store(left * above, d, upperLeft + i);
       hn::Store(right * above, d, upperRight + i);
       hn::Store(left - left * above, d, lowerLeft + i);
@@ -39,6 +46,13 @@ void depositVolume(const CouplingGrid& grid, std::span<const Vec2> position, Blo
   }
 }
 
+}  // namespace
+
+void depositVolume(const CouplingGrid& grid, std::span<const Vec2> position, const double* radii,
+                   BlockSum<double>& sum) {
+  (radii ? depositAll<true> : depositAll<false>)(grid, position, radii, sum);
+}
+
 }  // namespace bedmix::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
@@ -47,8 +61,9 @@ namespace bedmix {
 
 HWY_EXPORT(depositVolume);
 
-void depositVolume(const CouplingGrid& grid, std::span<const Vec2> position, BlockSum<double>& sum) {
-  HWY_DYNAMIC_DISPATCH(depositVolume)(grid, position, sum);
+void depositVolume(const CouplingGrid& grid, std::span<const Vec2> position, const double* radii,
+                   BlockSum<double>& sum) {
+  HWY_DYNAMIC_DISPATCH(depositVolume)(grid, position, radii, sum);
 }
 
 }  // namespace bedmix

@@ -8,7 +8,9 @@
 
 namespace bedmix {
 
-/// Adds the coupled shares of particles to the cells under them.
-void depositVolume(const CouplingGrid& grid, std::span<const Vec2> position, BlockSum<double>& sum);
+/// Adds the coupled shares of particles, in volumes of the grid's, to the cells under them. `radii` (m) are
+/// null where all are alike.
+void depositVolume(const CouplingGrid& grid, std::span<const Vec2> position, const double* radii,
+                   BlockSum<double>& sum);
 
 }  // namespace bedmix

@@ -46,6 +46,10 @@ bool BedState::sort() {
   permute(order, p.velocity, p.spin, loads);
   permute(order, p.external, p.drag, loads);
   permute(order, p.foreseen, spinAhead, loads);
+  std::vector<Vec2> none;
+  permute(order, none, p.radii, loads);
+  permute(order, none, p.masses, loads);
+  permute(order, none, p.kinds, loads);
   for (std::size_t k = 0; k < bodies.size(); ++k) {
     const Body& b = bodies[order[k]];
     loads[k] = {b.position, b.velocity.x, b.velocity.y};

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "engine/dem/contact_error.h"
 
+#include "engine/core/particle_list.h"
 #include "engine/dem/particle_solver.h"
 
 #include <algorithm>
@@ -20,7 +21,7 @@ constexpr int phases = 16;                                 // of a step at which
 constexpr double allowance = 1.1;                          // for the phases in between
 
 double exactRestitution(const Scene& scene) {
-  const double m = 0.5 * particleMass(scene);
+  const double m = 0.5 * lightestMass(scene);
   const double zeta = pairDamping(scene) / (2.0 * std::sqrt(m * scene.contacts.stiffness));
   return zeta < 1.0 ? std::exp(-std::numbers::pi * zeta / std::sqrt(1.0 - zeta * zeta)) : 0.0;
 }
@@ -57,8 +58,9 @@ double worstRebound(Scene scene, double step, double exact) {
 ContactError::ContactError(const Scene& scene) {
   Scene pair;
   pair.gravity = 0.0;
-  pair.particles = scene.particles;
-  pair.contacts = scene.contacts;
+  const Scene alike = ofLightest(scene);
+  pair.particles = alike.particles;
+  pair.contacts = alike.contacts;
   pair.contacts.friction.reset();
   pair.time.integrator = scene.time.integrator;
   const double exact = exactRestitution(pair);

@@ -56,7 +56,7 @@ HWY_INLINE Plane<D> scale(hn::Vec<D> s, const Plane<D>& a) {
 }
 
 /// What happens to a vector of particles; `halves` is velocity Verlet's.
-template <bool turns, bool dragged, bool halves, bool kicks, bool drifts>
+template <bool mixed, bool turns, bool dragged, bool halves, bool kicks, bool drifts>
 class Mover {
  public:
   explicit Mover(const MotionKernel& k) : k_(k) {}
@@ -70,9 +70,9 @@ class Mover {
     auto braking = zero;  // drag/m in the part of a step that a kick is of
     if constexpr (dragged) {
       force = add(force, loadPlane(d, k_.external + i));
-      braking = hn::Mul(hn::Mul(part, hn::LoadU(d, k_.drag + i)), hn::Set(d, k_.perMass));
+      braking = hn::Mul(hn::Mul(part, hn::LoadU(d, k_.drag + i)), perMass(d, i));
     }
-    Plane<D> gain = scale<D>(hn::Set(d, k_.perMass), force);
+    Plane<D> gain = scale<D>(perMass(d, i), force);
     gain.y = hn::Sub(gain.y, hn::Set(d, k_.gravity));
     gain = scale<D>(part, gain);
     Plane<D> v = loadPlane(d, k_.velocity + i);
@@ -111,6 +111,12 @@ class Mover {
   double kickOf() const { return halves ? 0.5 * k_.step : k_.step; }
 
   template <class D>
+  HWY_INLINE hn::Vec<D> perMass(D d, std::size_t i) const {
+    if constexpr (mixed) return hn::Div(hn::Set(d, 1.0), hn::LoadU(d, k_.masses + i));
+    return hn::Set(d, k_.perMass);
+  }
+
+  template <class D>
   HWY_INLINE void clear(D d, std::size_t i) const {
     double* const to = &k_.loads[i].force.x;
     for (std::size_t part = 0; part < 4; ++part) hn::StoreU(hn::Zero(d), d, to + part * hn::MaxLanes(d));
@@ -118,7 +124,12 @@ class Mover {
 
   template <class D>
   HWY_INLINE void turn(D d, std::size_t i, hn::Vec<D> torque) const {
-    const auto gain = hn::Mul(hn::Set(d, kickOf() * k_.perInertia), torque);
+    auto gain = hn::Mul(hn::Set(d, kickOf() * k_.perInertia), torque);
+    if constexpr (mixed) {
+      const auto radius = hn::LoadU(d, k_.radii + i);
+      gain = hn::Div(hn::Mul(hn::Set(d, 2.5 * kickOf()), hn::Mul(torque, perMass(d, i))),
+                     hn::Mul(radius, radius));
+    }
     auto spin = hn::LoadU(d, k_.spin + i);
     if constexpr (kicks) spin = hn::Add(spin, gain);
     if constexpr (drifts) {
@@ -131,9 +142,9 @@ class Mover {
   MotionKernel k_;
 };
 
-template <bool turns, bool dragged, bool halves, bool kicks, bool drifts>
+template <bool mixed, bool turns, bool dragged, bool halves, bool kicks, bool drifts>
 double moveAll(const MotionKernel& kernel, Range particles) {
-  const Mover<turns, dragged, halves, kicks, drifts> mover(kernel);
+  const Mover<mixed, turns, dragged, halves, kicks, drifts> mover(kernel);
   const hn::ScalableTag<double> d;
   const hn::CappedTag<double, 1> single;
   auto fastest2 = hn::Zero(d);
@@ -144,14 +155,19 @@ double moveAll(const MotionKernel& kernel, Range particles) {
   return hn::GetLane(last);
 }
 
-template <bool halves, bool kicks, bool drifts>
+template <bool mixed, bool halves, bool kicks, bool drifts>
 double choose(const MotionKernel& k, Range particles) {
   const bool dragged = k.external != nullptr;
-  const auto smooth =
-      dragged ? moveAll<false, true, halves, kicks, drifts> : moveAll<false, false, halves, kicks, drifts>;
-  const auto rough =
-      dragged ? moveAll<true, true, halves, kicks, drifts> : moveAll<true, false, halves, kicks, drifts>;
+  const auto smooth = dragged ? moveAll<mixed, false, true, halves, kicks, drifts>
+                              : moveAll<mixed, false, false, halves, kicks, drifts>;
+  const auto rough = dragged ? moveAll<mixed, true, true, halves, kicks, drifts>
+                             : moveAll<mixed, true, false, halves, kicks, drifts>;
   return (k.spin != nullptr ? rough : smooth)(k, particles);
+}
+template <bool halves, bool kicks, bool drifts>
+double choose(const MotionKernel& k, Range particles) {
+  return k.masses ? choose<true, halves, kicks, drifts>(k, particles)
+                  : choose<false, halves, kicks, drifts>(k, particles);
 }
 
 }  // namespace

@@ -10,13 +10,15 @@ namespace bedmix {
 /// Steps over particles, in vectors; one value a particle. Without friction what turns is null, without
 /// external forces these are.
 struct MotionKernel {
-  double step = 0.0;         // s
-  bool halves = true;        // velocity Verlet; else symplectic Euler
-  double gravity = 0.0;      // m/s2, downward
-  double perMass = 0.0;      // 1/kg
-  double perInertia = 0.0;   // 1/(kg m2)
-  Body* body = nullptr;      // drifts; its velocity is predicted to the end of the step
-  Vec2* position = nullptr;  // of the body, after a last kick
+  double step = 0.0;               // s
+  bool halves = true;              // velocity Verlet; else symplectic Euler
+  double gravity = 0.0;            // m/s2, downward
+  double perMass = 0.0;            // 1/kg, of all
+  double perInertia = 0.0;         // 1/(kg m2)
+  const double* masses = nullptr;  // kg, where they are not alike; else null
+  const double* radii = nullptr;   // m, likewise
+  Body* body = nullptr;            // drifts; its velocity is predicted to the end of the step
+  Vec2* position = nullptr;        // of the body, after a last kick
   Vec2* velocity = nullptr;
   double* spin = nullptr;
   const Vec2* external = nullptr;  // N, on a particle at rest

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "engine/dem/packing.h"
 
+#include "engine/core/particle_list.h"
 #include "engine/core/rng.h"
 #include "engine/dem/particle_solver.h"
 #include "engine/dem/particle_step.h"
@@ -47,7 +48,7 @@ double highestFloor(const Scene& scene) {
 
 /// Sites for all particles; none where even the closest lattice below the lid has too few.
 std::optional<Lattice> layLattice(const Scene& scene) {
-  const double d = scene.particles.diameter;
+  const double d = particleRange(scene).largest;
   const double bottom = highestFloor(scene);
   const auto wanted = std::ceil(sitesPerParticle * static_cast<double>(scene.particles.count));
   for (double site = siteOverDiameter; site >= leastSite; site -= 0.01) {
@@ -67,7 +68,7 @@ std::vector<Vec2> scatter(const Scene& scene, const Lattice& lattice) {
   Rng rng(scene.seed);
   std::vector<std::int64_t> sites(lattice.columns * lattice.rows);
   std::iota(sites.begin(), sites.end(), std::int64_t{0});
-  const double d = scene.particles.diameter;
+  const double d = particleRange(scene).largest;
   std::vector<Vec2> positions;
   for (std::int64_t i = 0; i < scene.particles.count; ++i) {
     // One step of a Fisher-Yates shuffle: a site at random among those that are left.
@@ -88,7 +89,7 @@ std::optional<DemTrouble> settle(const Scene& scene, ParticleSolver& solver) {
   if (scene.time.step.isAutomatic()) chosen.emplace(scene);
   Particles& p = solver.particles();
   p.addExternalForces();
-  std::fill(p.drag.begin(), p.drag.end(), viscosity * p.mass);
+  for (std::size_t i = 0; i < p.size(); ++i) p.drag[i] = viscosity * p.massOf(i);
   const std::int64_t given = chosen ? 0 : std::max<std::int64_t>(1, std::llround(glance / scene.time.step));
   const double interval = chosen ? contactTimeScale(scene) : static_cast<double>(given) * scene.time.step;
   double atRest = 0.0;  // s

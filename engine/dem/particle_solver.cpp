@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "engine/dem/particle_solver.h"
 
+#include "engine/core/particle_list.h"
 #include "engine/dem/closing_speed.h"
 #include "engine/dem/runge_kutta.h"
 #include "engine/dem/verlet.h"
@@ -48,8 +49,8 @@ class Solver final : public ParticleSolver {
   Solver(const Scene& scene, Particles start, const std::vector<WallSegment>& walls, ThreadTeam& team)
       : ParticleSolver(scene, std::move(start), walls, team),
         integrator_(scene, bed_),
-        maxOverlap_(scene.limits.maxOverlap * scene.particles.diameter),
-        diameter_(scene.particles.diameter) {}
+        maxOverlap_(scene.limits.maxOverlap * particleRange(scene).smallest),
+        diameter_(particleRange(scene).smallest) {}
 
   std::optional<DemTrouble> advance(std::int64_t steps) override {
     if (!begun_) {
@@ -117,14 +118,15 @@ std::int64_t ParticleSolver::contactCount() const {
 double ParticleSolver::kineticEnergy() const {
   const Particles& p = bed_.particles;
   double energy = 0.0;
-  for (const Vec2 v : p.velocity) energy += 0.5 * p.mass * dot(v, v);
-  for (const double spin : p.spin) energy += 0.5 * p.inertia * spin * spin;
+  for (std::size_t i = 0; i < p.size(); ++i) energy += 0.5 * p.massOf(i) * dot(p.velocity[i], p.velocity[i]);
+  for (std::size_t i = 0; i < p.spin.size(); ++i) energy += 0.5 * p.inertiaOf(i) * p.spin[i] * p.spin[i];
   return energy;
 }
 
 double ParticleSolver::potentialEnergy() const {
   double energy = 0.0;
-  for (const Vec2 at : bed_.particles.position) energy += bed_.particles.mass * bed_.gravity * at.y;
+  const Particles& p = bed_.particles;
+  for (std::size_t i = 0; i < p.size(); ++i) energy += p.massOf(i) * bed_.gravity * p.position[i].y;
   return energy;
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "engine/dem/particle_step.h"
 
+#include "engine/core/particle_list.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -22,7 +24,7 @@ constexpr double tiny = 1e-300;  // m/s, keeps quotients finite
 
 double ParticleStep::limit(const Scene& scene) {
   const double resolved = scene.time.error < humming ? contactTimeScale(scene) / 25.0 : longestStep(scene);
-  return std::min(resolved, calm * particleMass(scene) / (neighbours * pairDamping(scene)));
+  return std::min(resolved, calm * lightestMass(scene) / (neighbours * pairDamping(scene)));
 }
 
 ParticleStep::ParticleStep(const Scene& scene)
@@ -33,9 +35,9 @@ ParticleStep::ParticleStep(const Scene& scene)
       shortest_(shortest * contactTimeScale(scene)),
       nearest_(stepsAtOnce * limit_),
       hold_(contactTimeScale(scene)),
-      way_(way * scene.particles.diameter),
+      way_(way * particleRange(scene).smallest),
       step_(limit_) {
-  if (hasGravity_) allowed_ *= std::sqrt(scene.gravity * scene.particles.diameter);
+  if (hasGravity_) allowed_ *= std::sqrt(scene.gravity * particleRange(scene).smallest);
 }
 
 double ParticleStep::longest(double span, ParticleSolver& solver) const {

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "engine/dem/particles.h"
 
+#include "engine/core/particle_list.h"
+
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <numeric>
 #include <utility>
 
@@ -31,8 +34,36 @@ bool Particles::load(StateReader& in) {
   std::vector<std::uint8_t> seen(size());
   for (const std::int32_t i : id)
     if (i < 0 || static_cast<std::size_t>(i) >= size() || std::exchange(seen[i], 1)) return false;
+  if (areMixed()) {  // what was made stands in the order of the ids
+    const std::vector<double> radiiById = radii, massesById = masses;
+    const std::vector<std::uint8_t> kindsById = kinds;
+    for (std::size_t k = 0; k < size(); ++k) {
+      radii[k] = radiiById[id[k]];
+      masses[k] = massesById[id[k]];
+      kinds[k] = kindsById[id[k]];
+    }
+  }
   return true;
 }
+
+namespace {
+
+void addSizes(const Scene& scene, Particles& p) {
+  const std::vector<ParticleKind> kinds = particleKinds(scene);
+  ParticleList list = particleList(scene);
+  p.radii = std::move(list.radii);
+  p.kinds = std::move(list.kinds);
+  for (std::size_t i = 0; i < p.size(); ++i) {
+    const double r = p.radii[i];
+    p.masses.push_back(kinds[p.kinds[i]].density * 4.0 / 3.0 * std::numbers::pi * r * r * r);
+  }
+  const ParticleRange range = particleRange(scene);
+  p.radius = 0.5 * range.largest;
+  p.mass = range.heaviest;
+  p.inertia = 0.4 * p.mass * p.radius * p.radius;
+}
+
+}  // namespace
 
 Particles makeParticles(const Scene& scene, const std::vector<Vec2>& positions) {
   const std::size_t n = positions.size();
@@ -45,6 +76,7 @@ Particles makeParticles(const Scene& scene, const std::vector<Vec2>& positions) 
   p.position = positions;
   p.velocity.resize(n);
   if (scene.contacts.friction) p.spin.assign(n, 0.0);
+  if (isMixed(scene)) addSizes(scene, p);
   return p;
 }
 
@@ -60,6 +92,9 @@ Particles inOrderOfIds(const Particles& particles) {
   sort(particles.external, sorted.external);
   sort(particles.drag, sorted.drag);
   sort(particles.foreseen, sorted.foreseen);
+  sort(particles.radii, sorted.radii);
+  sort(particles.masses, sorted.masses);
+  sort(particles.kinds, sorted.kinds);
   return sorted;
 }
 

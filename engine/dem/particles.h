@@ -11,12 +11,16 @@
 
 namespace bedmix {
 
-/// The spheres of a bed, all alike; one array a quantity. Whoever advances them may change their order, to
+/// The spheres of a bed; one array a quantity. Whoever advances them may change their order, to
 /// keep neighbours in space neighbours in memory: `id` tells who is where.
 struct Particles {
-  double radius = 0.0;   // m
-  double mass = 0.0;     // kg
+  double radius = 0.0;   // m, of all where all are alike; else of the largest
+  double mass = 0.0;     // kg, likewise
   double inertia = 0.0;  // kg m2, 2/5 m r^2
+  /// Empty where all are alike. Kinds are those of particleKinds(). They follow from `id` and the scene.
+  std::vector<double> radii;   // m
+  std::vector<double> masses;  // kg
+  std::vector<std::uint8_t> kinds;
   std::vector<std::int32_t> id;
   std::vector<Vec2> position;  // m
   std::vector<Vec2> velocity;  // m/s
@@ -30,6 +34,12 @@ struct Particles {
   std::vector<Vec2> foreseen;
 
   std::size_t size() const { return position.size(); }
+  bool areMixed() const { return !radii.empty(); }
+  double radiusOf(std::size_t i) const { return areMixed() ? radii[i] : radius; }
+  double massOf(std::size_t i) const { return areMixed() ? masses[i] : mass; }
+  double inertiaOf(std::size_t i) const {
+    return areMixed() ? 0.4 * masses[i] * radii[i] * radii[i] : inertia;
+  }
   /// Gives every particle an external force and a drag coefficient, both zero, foreseen where it is.
   void addExternalForces();
 

@@ -110,7 +110,7 @@ Vec2 RungeKutta4::acceleration(const BedState& bed, std::size_t i) const {
   const Particles& p = bed.particles;
   Vec2 force = bed.loads[i].force;
   if (!p.external.empty()) force += p.external[i] - p.drag[i] * bed.bodies[i].velocity;
-  return 1.0 / p.mass * force - Vec2{0.0, bed.gravity};
+  return 1.0 / p.massOf(i) * force - Vec2{0.0, bed.gravity};
 }
 
 void RungeKutta4::addRate(const BedState& bed, double weight) {
@@ -119,7 +119,8 @@ void RungeKutta4::addRate(const BedState& bed, double weight) {
     sum_.position[i] += weight * bed.bodies[i].velocity;
     sum_.velocity[i] += weight * acceleration(bed, i);
   }
-  for (std::size_t i = 0; i < p.spin.size(); ++i) sum_.spin[i] += weight / p.inertia * bed.loads[i].torque;
+  for (std::size_t i = 0; i < p.spin.size(); ++i)
+    sum_.spin[i] += weight / p.inertiaOf(i) * bed.loads[i].torque;
 }
 
 // From the start of the step with the rates of the last stage. Returns the largest distance moved, m.
@@ -131,7 +132,7 @@ double RungeKutta4::moveFromStart(BedState& bed, double duration) {
     bed.bodies[i] = {p.position[i] + duration * bed.bodies[i].velocity, p.velocity[i] + gain};
   }
   for (std::size_t i = 0; i < p.spin.size(); ++i)
-    bed.spinAhead[i] = p.spin[i] + duration / p.inertia * bed.loads[i].torque;
+    bed.spinAhead[i] = p.spin[i] + duration / p.inertiaOf(i) * bed.loads[i].torque;
   return distance;
 }
 

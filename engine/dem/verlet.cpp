@@ -36,6 +36,8 @@ MotionKernel Verlet::motion(BedState& bed) const {
           .gravity = bed.gravity,
           .perMass = 1.0 / p.mass,
           .perInertia = 1.0 / p.inertia,
+          .masses = orNull(p.masses),
+          .radii = orNull(p.radii),
           .body = bed.bodies.data(),
           .position = p.position.data(),
           .velocity = p.velocity.data(),

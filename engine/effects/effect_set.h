@@ -10,8 +10,8 @@
 namespace bedmix {
 
 /// The settings of effects, each of which is on where its table is in the scene. An effect's settings are a
-/// struct with a `static constexpr Key table`, the table's name and meaning; with describe(settings, visit), as
-/// in core/scene_description.h; and with contradictions(scene, settings), as in core/contradiction.h.
+/// struct with a `static constexpr Key table`, the table's name and meaning; with describe(settings, visit),
+/// as in core/scene_description.h; and with contradictions(scene, settings), as in core/contradiction.h.
 template <class... Settings>
 class EffectSet {
  public:

@@ -9,8 +9,8 @@
 
 namespace bedmix {
 
-/// What is to be known of an effect without running it. Each is on or off for a whole run, as what it keeps is
-/// part of the run's state.
+/// What is to be known of an effect without running it. Each is on or off for a whole run, as what it keeps
+/// is part of the run's state.
 struct EffectInfo {
   std::string_view table;  // that switches it on, dotted
   std::string_view name;
