@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "render/draw_forces.h"
 
+#include "engine/core/particle_list.h"
 #include "engine/core/walls.h"
 #include "render/scales.h"
 #include "render/shapes.h"
@@ -34,7 +35,7 @@ Cells sortIntoCells(const Frame& frame, const Scene& scene) {
   constexpr double most = 2048.0;  // cells along a side
   const BedSettings& bed = scene.bed;
   Cells cells;
-  cells.size = std::max({scene.particles.diameter, bed.width / most, 1.5 * bed.height / most});
+  cells.size = std::max({particleRange(scene).largest, bed.width / most, 1.5 * bed.height / most});
   cells.columns = static_cast<int>(std::ceil(bed.width / cells.size));
   cells.rows = static_cast<int>(std::ceil(1.5 * bed.height / cells.size));
   cells.first.assign(static_cast<std::size_t>(cells.columns) * static_cast<std::size_t>(cells.rows) + 1, 0);
@@ -56,13 +57,14 @@ Vec2 nearestOn(const WallSegment& wall, Vec2 p) {
 }  // namespace
 
 std::vector<FrameContact> contactsOf(const Frame& frame, const Scene& scene) {
-  const double diameter = scene.particles.diameter, stiffness = scene.contacts.stiffness;
+  const double stiffness = scene.contacts.stiffness;
+  const auto radius = [&](std::uint32_t i) { return radiusOf(scene, frame, i); };
   const Cells cells = sortIntoCells(frame, scene);
   const std::vector<WallSegment> walls = bedWalls(scene);
   std::vector<FrameContact> contacts;
   const auto addPair = [&](std::uint32_t i, std::uint32_t j) {
     const Vec2f a = frame.position[i], b = frame.position[j];
-    const double overlap = diameter - norm(toDouble(b) - toDouble(a));
+    const double overlap = radius(i) + radius(j) - norm(toDouble(b) - toDouble(a));
     if (overlap > 0.0) contacts.push_back({a, b, stiffness * overlap});
   };
   const auto addPairs = [&](std::uint32_t i, std::uint32_t from, int row, int column) {
@@ -82,7 +84,7 @@ std::vector<FrameContact> contactsOf(const Frame& frame, const Scene& scene) {
     for (int side = -1; side <= 1; ++side) addPairs(i, 0, row + 1, column + side);
     for (const WallSegment& wall : walls) {
       const Vec2 touched = nearestOn(wall, toDouble(at));
-      const double overlap = 0.5 * diameter - norm(touched - toDouble(at));
+      const double overlap = radius(i) - norm(touched - toDouble(at));
       if (overlap > 0.0) contacts.push_back({at, toFloat(touched), stiffness * overlap});
     }
   }

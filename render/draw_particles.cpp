@@ -2,6 +2,7 @@
 #include "render/draw_particles.h"
 
 #include "engine/core/gas_grid.h"
+#include "engine/core/particle_list.h"
 #include "render/scales.h"
 #include "render/shapes.h"
 
@@ -22,8 +23,10 @@ template <class ColorOf>
 void addDiscs(DrawList& list, const BedView& view, const ColorOf& colorOf) {
   const Layers layers = view.style.layers;
   const bool rim = layers.has(Layer::voidage) || layers.has(Layer::pressure) || layers.has(Layer::gasSpeed);
-  const float radius = view.camera.length(0.5 * view.scene.particles.diameter);
+  const float ofAll = view.camera.length(0.5 * view.scene.particles.diameter);
+  const std::vector<float>& radii = view.frame.radius;
   for (std::size_t i = 0; i < view.frame.size(); ++i) {
+    const float radius = radii.empty() ? ofAll : view.camera.length(static_cast<double>(radii[i]));
     const Vec2f at = view.camera.toPixel(view.frame.position[i]);
     if (isOutside(list.clip, at, radius)) continue;
     if (rim) list.discs.push_back({at, radius, view.palette.ground});
@@ -66,6 +69,12 @@ void drawParticles(DrawList& list, const BedView& view, const History& history) 
         const Vec2f at = frame.position[i];
         const std::size_t column = stretchOf(grid.x, at.x), row = stretchOf(grid.y, at.y);
         return mapped(frame.gas.voidage[row * static_cast<std::size_t>(grid.columns) + column]);
+      });
+    }
+    case ParticleColor::kind: {
+      const std::size_t kinds = particleKinds(view.scene).size();
+      return addDiscs(list, view, [&](std::size_t i) {
+        return classColor(view.palette, kinds - 1 - (frame.kind.empty() ? 0 : frame.kind[i]), kinds);
       });
     }
     case ParticleColor::id:

@@ -2,6 +2,7 @@
 #include "render/legend.h"
 
 #include "engine/core/mixing.h"
+#include "engine/core/particle_list.h"
 #include "render/draw_bubbles.h"
 #include "render/draw_forces.h"
 #include "render/draw_particles.h"
@@ -103,6 +104,15 @@ void drawParticleColors(Column& column, const Scene& scene, const Style& style, 
       return column.colorBar("voidage there", range, disc);
     case ParticleColor::id:
       return column.colorBar("particle", range, disc);
+    case ParticleColor::kind: {
+      const std::vector<ParticleKind> kinds = particleKinds(scene);
+      const std::size_t n = kinds.size();
+      return column.colorBar("kind", std::string(kinds.front().name), std::string(kinds.back().name),
+                             static_cast<int>(n), [&](double t) {
+                               return classColor(
+                                   palette, n - 1 - static_cast<std::size_t>(t * static_cast<double>(n)), n);
+                             });
+    }
     case ParticleColor::height:
       return column.colorBar("height at start", "low", "high", static_cast<int>(classes), classOf);
     case ParticleColor::strips:

@@ -45,6 +45,8 @@ void putConstants(Channel& to, const RunConstants& constants) {
   to.putAll(constants.times);
   to.putAll(constants.species);
   to.putAll(constants.id);
+  to.putAll(constants.radius);
+  to.putAll(constants.kind);
 }
 
 RunConstants getConstants(Channel& from) {
@@ -62,6 +64,8 @@ RunConstants getConstants(Channel& from) {
   constants.times = from.getAll<std::vector<double>>();
   constants.species = from.getAll<std::vector<std::uint8_t>>();
   constants.id = from.getAll<std::vector<std::int32_t>>();
+  constants.radius = from.getAll<std::vector<float>>();
+  constants.kind = from.getAll<std::vector<std::uint8_t>>();
   return constants;
 }
 
@@ -82,6 +86,8 @@ void fill(Frame& frame, const RunPreamble& run, std::size_t index, const float* 
   if (frame.id.size() != n) {
     frame.species = constants.species;
     frame.id = constants.id;
+    frame.radius = constants.radius;
+    frame.kind = constants.kind;
   }
   take(numbers, n, frame.position);
   take(numbers, n, frame.velocity);

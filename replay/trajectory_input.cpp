@@ -2,6 +2,7 @@
 #include "replay/trajectory_input.h"
 
 #include "engine/core/gas_grid.h"
+#include "engine/core/particle_list.h"
 #include "replay/trajectory_layout.h"
 
 #include <fmt/format.h>
@@ -97,6 +98,7 @@ TrajectoryInput::TrajectoryInput(const Hdf5Input& in, const Scene& scene)
   if (scene.gas) gas_.emplace(openGas(in, scene));
   readTimes();
   readSpecies();
+  if (isMixed(scene)) readKinds(scene);
   constants_.provenance = readProvenance(in);
   constants_.events = readEvents(in);
 }
@@ -163,6 +165,22 @@ void TrajectoryInput::readSpecies() {
   if (other != species.end())
     throw Hdf5Error(fmt::format("particle {} is of species {}; only 0 and 1 (tracer) are known",
                                 other - species.begin(), *other));
+}
+
+void TrajectoryInput::readKinds(const Scene& scene) {
+  std::vector<float>& radius = constants_.radius;
+  std::vector<std::uint8_t>& kind = constants_.kind;
+  radius.resize(particles_);
+  kind.resize(particles_);
+  in_.fixed(layout::radius, {particles_}).readRow(0, radius.data());
+  in_.fixed(layout::kind, {particles_}).readRow(0, kind.data());
+  const std::size_t kinds = particleKinds(scene).size();
+  for (std::size_t i = 0; i < radius.size(); ++i) {
+    if (!(std::isfinite(radius[i]) && radius[i] > 0.0f))
+      throw Hdf5Error(fmt::format("particle {} has a radius of {} m", i, radius[i]));
+    if (kind[i] >= kinds)
+      throw Hdf5Error(fmt::format("particle {} is of kind {}; the scene has {}", i, kind[i], kinds));
+  }
 }
 
 void TrajectoryInput::readFrame(std::size_t index, float* into) const {

@@ -31,6 +31,8 @@ struct RunConstants {
   std::vector<double> times;  // s, as many
   std::vector<std::uint8_t> species;
   std::vector<std::int32_t> id;
+  std::vector<float> radius;  // m, empty where all are alike, like kind
+  std::vector<std::uint8_t> kind;
 };
 
 /// Numbers of a frame that change with time.
@@ -56,6 +58,7 @@ class TrajectoryInput {
   void readTimes();
   void expectToFollow(std::size_t index) const;
   void readSpecies();
+  void readKinds(const Scene& scene);
 
   const Hdf5Input& in_;
   hsize_t particles_;

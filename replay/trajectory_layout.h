@@ -15,6 +15,8 @@
 //   particles/all/angular_velocity  value[T][N] float, rad/s; only with friction
 //   particles/all/species        [N], 1 = tracer
 //   particles/all/id             [N]
+//   particles/all/radius         [N] float, m; only where particles differ, like kind
+//   particles/all/kind           [N] numbers of particleKinds()
 //   observables/...              value[T] double, NaN where undefined
 //   parameters/scene             the scene as TOML, every default resolved
 //   parameters/...               scene_name, seed, version, commit
@@ -39,6 +41,8 @@ inline constexpr const char* velocity = "particles/all/velocity";
 inline constexpr const char* angularVelocity = "particles/all/angular_velocity";
 inline constexpr const char* species = "particles/all/species";
 inline constexpr const char* id = "particles/all/id";
+inline constexpr const char* radius = "particles/all/radius";
+inline constexpr const char* kind = "particles/all/kind";
 
 inline constexpr const char* scene = "parameters/scene";
 inline constexpr const char* sceneName = "parameters/scene_name";

@@ -3,6 +3,7 @@
 
 #include "engine/core/bed_statistics.h"
 #include "engine/core/mixing.h"
+#include "engine/core/particle_list.h"
 #include "engine/core/scene_reader.h"
 #include "replay/child_process.h"
 #include "replay/contained_hdf5.h"
@@ -240,7 +241,7 @@ struct TrajectoryWriter::State {
     nextCheckpoint = 1 - nextCheckpoint;
   }
 
-  /// Species and ids are written once, so they must not change.
+  /// What particles are is written once, so they must not change.
   void writeConstants(const Frame& frame) {
     if (species.empty()) {
       species = frame.species;
@@ -249,6 +250,10 @@ struct TrajectoryWriter::State {
     if (frames == 0) {
       out.fixed<std::uint8_t>(layout::species, species);
       out.fixed<std::int32_t>(layout::id, id);
+      if (isMixed(scene)) {
+        out.fixed<float>(layout::radius, frame.radius);
+        out.fixed<std::uint8_t>(layout::kind, frame.kind);
+      }
     }
     if (frame.species != species || frame.id != id)
       throw Hdf5Error("cannot write step " + std::to_string(frame.step) +

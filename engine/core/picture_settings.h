@@ -31,7 +31,7 @@ enum class Layer {
 };
 
 /// What colours the particles.
-enum class ParticleColor { tracer, speed, spin, voidage, id, height, strips };
+enum class ParticleColor { tracer, speed, spin, voidage, id, kind, height, strips };
 
 template <>
 inline constexpr std::array modelTable<Layer>{
@@ -61,6 +61,7 @@ inline constexpr std::array modelTable<ParticleColor>{
     ModelInfo{"spin", "by angular velocity, counter-clockwise positive", ""},
     ModelInfo{"voidage", "by the voidage at the particle", ""},
     ModelInfo{"id", "by number", ""},
+    ModelInfo{"kind", "by kind of particles", ""},
     ModelInfo{"height", "in classes of the height at the start, each of as many particles", ""},
     ModelInfo{"strips", "in classes by upright strips of the bed at the start, each as wide", ""},
 };

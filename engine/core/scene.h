@@ -51,8 +51,8 @@ struct ParticleSettings {
   double diameter = 0.004;  // m; the mean one where sizes differ, the median of log-normal ones
   double density = 1500.0;  // kg/m3
   std::string name = "first";
-  std::optional<SizeSettings> size;
-  std::vector<SpeciesSettings> species;
+  std::optional<SizeSettings> size = {};
+  std::vector<SpeciesSettings> species = {};
 };
 
 struct FrictionSettings {

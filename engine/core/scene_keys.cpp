@@ -8,6 +8,7 @@
 #include <cmath>
 #include <optional>
 #include <type_traits>
+#include <utility>
 
 namespace bedmix {
 
@@ -16,8 +17,8 @@ namespace {
 /// Visits default settings and notes each key below `prefix`.
 class KeyCollector {
  public:
-  explicit KeyCollector(std::vector<SceneKey>& into, std::string prefix = "")
-      : into_(into), prefix_(std::move(prefix)) {}
+  explicit KeyCollector(std::vector<SceneKey>& into, std::string prefix = "", bool mayBeAbsent = false)
+      : into_(into), prefix_(std::move(prefix)), mayBeAbsent_(mayBeAbsent) {}
 
   void operator()(const Key& key, double& v) { add(key, "number", key.required ? "" : tomlNumber(v)); }
   void operator()(const Key& key, std::int64_t& v) { add(key, "whole number", wholeDefault(key, v)); }
@@ -37,18 +38,22 @@ class KeyCollector {
   template <class T>
   void operator()(const Key& key, std::vector<T>&) {
     T element;
+    const bool outside = std::exchange(mayBeAbsent_, mayBeAbsent_ || !key.required);
     descend(key, "list of tables", element);
+    mayBeAbsent_ = outside;
   }
 
   template <class T>
   void operator()(const Key& key, std::optional<T>&) {
     T value{};
+    const bool outside = std::exchange(mayBeAbsent_, true);
     if constexpr (std::is_same_v<T, double>)
       add(key, "number", "");
     else if constexpr (std::is_enum_v<T>)
       add(key, names<T>(), "");
     else
       descend(key, "table", value);
+    mayBeAbsent_ = outside;
   }
 
   template <class T>
@@ -74,18 +79,20 @@ class KeyCollector {
   }
 
   void add(const Key& key, std::string type, std::string defaultValue) {
-    into_.push_back({prefix_ + std::string(key.name), key, std::move(type), std::move(defaultValue)});
+    into_.push_back(
+        {prefix_ + std::string(key.name), key, std::move(type), std::move(defaultValue), mayBeAbsent_});
   }
 
   template <class T>
   void descend(const Key& key, std::string type, T& value) {
     add(key, std::move(type), "");
-    KeyCollector inner(into_, prefix_ + std::string(key.name) + '.');
+    KeyCollector inner(into_, prefix_ + std::string(key.name) + '.', mayBeAbsent_);
     describe(value, inner);
   }
 
   std::vector<SceneKey>& into_;
   std::string prefix_;
+  bool mayBeAbsent_;
 };
 
 }  // namespace

@@ -15,6 +15,7 @@ struct SceneKey {
   Key key;                   // name, unit, range, meaning
   std::string type;          // "number", "whole number", "text", "table", ... or the names to choose from
   std::string defaultValue;  // as TOML; empty where there is none
+  bool mayBeAbsent = false;  // from a scene with all defaults written out: of an effect, or without a default
 };
 
 /// Every key of every table, in the order of the file.

@@ -239,8 +239,10 @@ class TableReader {
     const auto* list = node.as_array();
     if (!list) return wrongType(node, path, fmt::format("tables, each headed [[{}]]", path));
     if (isTooLong(*list, path)) return;
-    for (const toml::node& element : *list)
-      readTable(element, join(path, std::to_string(tables.size())), tables.emplace_back());
+    for (const toml::node& element : *list) {
+      const std::string at = join(path, std::to_string(tables.size()));
+      readTable(element, at, tables.emplace_back());
+    }
   }
 
   template <class T>

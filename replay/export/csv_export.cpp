@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "replay/export/csv_export.h"
 
+#include "engine/core/particle_list.h"
+
 #include <fmt/format.h>
 
 #include <iterator>
@@ -17,6 +19,7 @@ std::string particleRows(const Frame& frame) {
     fmt::format_to(out, "{},{},{},{},{},{},{}", frame.time, frame.id[i], frame.species[i], at.x, at.y, v.x,
                    v.y);
     if (!frame.angularVelocity.empty()) fmt::format_to(out, ",{}", frame.angularVelocity[i]);
+    if (!frame.radius.empty()) fmt::format_to(out, ",{},{}", frame.radius[i], frame.kind[i]);
     rows += "\n";
   }
   return rows;
@@ -41,8 +44,9 @@ std::string gasRows(const Frame& frame, const GasGrid& grid) {
 
 Result<std::unique_ptr<Export>> CsvExport::open(const ExportInput& input) {
   const char* const spin = input.scene.contacts.friction ? ",omega" : "";
-  auto particles =
-      GrowingFile::create(input.folder / "particles.csv", fmt::format("time,id,species,x,y,vx,vy{}\n", spin));
+  const char* const size = isMixed(input.scene) ? ",radius,kind" : "";
+  auto particles = GrowingFile::create(input.folder / "particles.csv",
+                                       fmt::format("time,id,species,x,y,vx,vy{}{}\n", spin, size));
   if (!particles) return std::move(particles.problems);
   std::optional<Gas> gas;
   if (input.scene.gas) {

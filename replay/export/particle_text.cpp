@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "replay/export/particle_text.h"
 
+#include "engine/core/particle_list.h"
 #include "replay/export/growing_file.h"
 
 #include <fmt/format.h>
@@ -42,7 +43,7 @@ Result<std::unique_ptr<Export>> open(const ExportInput& input, const char* name,
 
 std::string extxyz(const Frame& frame, const Scene& scene) {
   const bool spins = !frame.angularVelocity.empty();
-  const double depth = scene.bed.thickness, radius = scene.particles.diameter / 2;
+  const double depth = scene.bed.thickness;
   std::string text = fmt::format(
       "{}\nLattice=\"{} 0 0 0 {} 0 0 0 {}\" Origin=\"0 0 {}\" pbc=\"F F F\" "
       "Properties=species:S:1:pos:R:3:velo:R:3:radius:R:1:id:I:1{} Time={}\n",
@@ -52,7 +53,7 @@ std::string extxyz(const Frame& frame, const Scene& scene) {
   for (std::size_t i = 0; i < frame.size(); ++i) {
     const Vec2f at = frame.position[i], v = frame.velocity[i];
     fmt::format_to(out, "{} {} {} 0 {} {} 0 {} {}", frame.species[i] ? "C" : "Cl", at.x, at.y, v.x, v.y,
-                   radius, frame.id[i]);
+                   radiusOf(scene, frame, i), frame.id[i]);
     if (spins) fmt::format_to(out, " {}", frame.angularVelocity[i]);
     text += '\n';
   }
@@ -61,7 +62,7 @@ std::string extxyz(const Frame& frame, const Scene& scene) {
 
 std::string lammps(const Frame& frame, const Scene& scene) {
   const bool spins = !frame.angularVelocity.empty();
-  const double depth = scene.bed.thickness, radius = scene.particles.diameter / 2;
+  const double depth = scene.bed.thickness;
   std::string text = fmt::format(
       "ITEM: TIME\n{}\nITEM: TIMESTEP\n{}\nITEM: NUMBER OF ATOMS\n{}\n"
       "ITEM: BOX BOUNDS ff ff ff\n0 {}\n0 {}\n{} {}\nITEM: ATOMS id type x y z vx vy vz radius{}\n",
@@ -71,7 +72,7 @@ std::string lammps(const Frame& frame, const Scene& scene) {
   for (std::size_t i = 0; i < frame.size(); ++i) {
     const Vec2f at = frame.position[i], v = frame.velocity[i];
     fmt::format_to(out, "{} {} {} {} 0 {} {} 0 {}", frame.id[i], frame.species[i] + 1, at.x, at.y, v.x, v.y,
-                   radius);
+                   radiusOf(scene, frame, i));
     if (spins) fmt::format_to(out, " {}", frame.angularVelocity[i]);
     text += '\n';
   }

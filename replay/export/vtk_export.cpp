@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "replay/export/vtk_export.h"
 
+#include "engine/core/particle_list.h"
 #include "engine/core/walls.h"
 #include "replay/export/vtk_file.h"
 
@@ -37,7 +38,14 @@ void points(VtkFile& file, const std::vector<float>& xyz) {
   file.xml("</Points>\n");
 }
 
-std::string particleFile(const Frame& frame, const std::vector<float>& diameter) {
+std::vector<float> diameters(const Frame& frame, const Scene& scene) {
+  std::vector<float> values(frame.size());
+  for (std::size_t i = 0; i < values.size(); ++i)
+    values[i] = static_cast<float>(2.0 * radiusOf(scene, frame, i));
+  return values;
+}
+
+std::string particleFile(const Frame& frame, const Scene& scene) {
   VtkFile file("PolyData");
   file.xml(">\n");
   file.time(frame.time);
@@ -51,7 +59,8 @@ std::string particleFile(const Frame& frame, const std::vector<float>& diameter)
   if (!frame.angularVelocity.empty()) file.array("angular_velocity", all(frame.angularVelocity));
   file.array("species", all(frame.species));
   file.array("id", all(frame.id));
-  file.array("diameter", all(diameter));
+  file.array("diameter", all(diameters(frame, scene)));
+  if (!frame.kind.empty()) file.array("kind", all(frame.kind));
   file.xml("</PointData>\n</Piece>\n");
   return file.bytes();
 }
@@ -132,8 +141,7 @@ Result<std::unique_ptr<Export>> VtkExport::open(const ExportInput& input) {
 VtkExport::VtkExport(const ExportInput& input, GrowingFile particles)
     : folder_(input.folder),
       selected_(input.selected),
-      diameter_(static_cast<std::size_t>(input.scene.particles.count),
-                static_cast<float>(input.scene.particles.diameter)),
+      scene_(input.scene),
       particles_(std::move(particles)) {}
 
 std::vector<std::filesystem::path> VtkExport::files() const {
@@ -151,8 +159,8 @@ std::optional<Diagnostic> VtkExport::add(GrowingFile& list, const std::string& n
 
 std::optional<Diagnostic> VtkExport::write(const Frame& frame) {
   const std::size_t index = selected_[next_++];
-  if (auto problem = add(particles_, fmt::format("particles_{:06}.vtp", index), frame.time,
-                         particleFile(frame, diameter_)))
+  if (auto problem =
+          add(particles_, fmt::format("particles_{:06}.vtp", index), frame.time, particleFile(frame, scene_)))
     return problem;
   if (!gas_) return std::nullopt;
   return add(*gas_, fmt::format("gas_{:06}.vtr", index), frame.time, gasFile(frame, *grid_));

@@ -24,7 +24,7 @@ class VtkExport final : public Export {
   std::filesystem::path folder_;
   std::vector<std::size_t> selected_;
   std::size_t next_ = 0;
-  std::vector<float> diameter_;  // of each particle, m
+  const Scene& scene_;
   GrowingFile particles_;
   std::optional<GasGrid> grid_;
   std::optional<GrowingFile> gas_;

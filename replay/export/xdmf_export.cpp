@@ -2,6 +2,7 @@
 #include "replay/export/xdmf_export.h"
 
 #include "engine/core/gas_grid.h"
+#include "engine/core/particle_list.h"
 #include "replay/trajectory_layout.h"
 
 #include <fmt/format.h>
@@ -78,6 +79,12 @@ std::string particleGrid(const Place& at, const Scene& scene, double time) {
   xml += attribute("species", "Scalar", "Node",
                    at.fixed(layout::species, "NumberType=\"UChar\" Precision=\"1\"", n));
   xml += attribute("id", "Scalar", "Node", at.fixed(layout::id, "NumberType=\"Int\" Precision=\"4\"", n));
+  if (isMixed(scene)) {
+    xml += attribute("radius", "Scalar", "Node",
+                     at.fixed(layout::radius, "NumberType=\"Float\" Precision=\"4\"", n));
+    xml += attribute("kind", "Scalar", "Node",
+                     at.fixed(layout::kind, "NumberType=\"UChar\" Precision=\"1\"", n));
+  }
   return xml + "</Grid>\n";
 }
 

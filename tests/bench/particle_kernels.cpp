@@ -116,7 +116,7 @@ struct SampledBed {
       frame.id.push_back(static_cast<std::int32_t>(frame.id.size()));
       frame.position.push_back(toFloat(at));
     }
-    frame.species = tagTracer(scene.tracer.rule, frame.position, scene.bed.width);
+    frame.species = tagTracer(scene.tracer.rule, frame.position, frame.kind, scene.bed.width);
     scene.sampling.columns *= particles / 1000;
     grid = samplingGrid(scene);
   }

@@ -72,10 +72,12 @@ TEST(BedHeight, IsThe95thPercentileAboveTheFloorPlusARadius) {
 TEST(TagTracer, HalvesTheBed) {
   const std::vector<Vec2f> at{{0.0f, 3.0f}, {1.0f, 1.0f}, {2.0f, 2.0f}, {4.0f, 1.0f}};
   using Tags = std::vector<std::uint8_t>;
-  EXPECT_EQ(tagTracer(TracerRule::leftHalf, at, 4.0), (Tags{1, 1, 0, 0}));
-  EXPECT_EQ(tagTracer(TracerRule::rightHalf, at, 4.0), (Tags{0, 0, 1, 1}));
-  EXPECT_EQ(tagTracer(TracerRule::lowerHalf, at, 4.0), (Tags{0, 1, 0, 1}));
-  EXPECT_EQ(tagTracer(TracerRule::upperHalf, at, 4.0), (Tags{1, 0, 1, 0}));
+  EXPECT_EQ(tagTracer(TracerRule::leftHalf, at, {}, 4.0), (Tags{1, 1, 0, 0}));
+  EXPECT_EQ(tagTracer(TracerRule::rightHalf, at, {}, 4.0), (Tags{0, 0, 1, 1}));
+  EXPECT_EQ(tagTracer(TracerRule::lowerHalf, at, {}, 4.0), (Tags{0, 1, 0, 1}));
+  EXPECT_EQ(tagTracer(TracerRule::upperHalf, at, {}, 4.0), (Tags{1, 0, 1, 0}));
+  EXPECT_EQ(tagTracer(TracerRule::species, at, {0, 2, 1, 0}, 4.0), (Tags{0, 1, 1, 0}));
+  EXPECT_EQ(tagTracer(TracerRule::species, at, {}, 4.0), (Tags{0, 0, 0, 0}));
 }
 
 }  // namespace
