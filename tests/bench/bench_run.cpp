@@ -17,7 +17,7 @@
 #include <vector>
 
 // Runs whole beds and prints what a step costs, as CSV. State files are particles alone unless --gas asks for
-// gas, scenes are run as they are.
+// gas, scenes are run as they are; --set changes either.
 
 namespace bedmix::bench {
 
@@ -25,6 +25,7 @@ namespace {
 
 struct Options {
   std::vector<std::string> inputs;
+  std::vector<Override> overrides;
   std::int64_t relax = 500, steps = 1000, tiles = 1;  // of states
   std::int64_t gasColumns = 0;                        // a thousand particles, likewise
   double seconds = 1.0;                               // of scenes
@@ -45,12 +46,12 @@ struct Run {
 
 bool isScene(const std::string& input) { return input.ends_with(".toml"); }
 
-Result<Scene> sceneOf(const std::string& path) {
+Result<Scene> sceneOf(const std::string& path, const std::vector<Override>& overrides) {
   std::ifstream file(path);
   if (!file) return Diagnostic({path}, "cannot be read", Trouble::file);
   std::ostringstream text;
   text << file.rdbuf();
-  return readScene(text.str(), path);
+  return readScene(text.str(), path, overrides);
 }
 
 /// Takes `relax` steps, then those that are measured. `before` is the memory before there was a bed.
@@ -77,14 +78,19 @@ Result<Run> runState(const std::string& path, const Options& options) {
   Result<Particles> start = readBed(path, options.tiles);
   if (!start) return start.problems;
   const auto particles = static_cast<std::int64_t>(start->size());
-  const Scene scene = options.gasColumns > 0 ? gasScene(particles, options.gasColumns) : bedScene(particles);
+  const Scene plain = options.gasColumns > 0 ? gasScene(particles, options.gasColumns) : bedScene(particles);
+  const Result<Scene> scene = readScene(writeScene(plain), path, options.overrides);
+  if (!scene) return scene.problems;
+  Particles bed = makeParticles(*scene, start->position);
+  bed.velocity = std::move(start->velocity);
+  start->position = {};
   forgetPeakMemory();  // reading takes more than the bed
-  Simulation simulation = Simulation::make(scene, std::move(*start), options.threads);
-  return measure(simulation, scene, options.relax, options.steps, before);
+  Simulation simulation = Simulation::make(*scene, std::move(bed), options.threads);
+  return measure(simulation, *scene, options.relax, options.steps, before);
 }
 
 Result<Run> runScene(const std::string& path, const Options& options) {
-  const Result<Scene> scene = sceneOf(path);
+  const Result<Scene> scene = sceneOf(path, options.overrides);
   if (!scene) return scene.problems;
   const double before = memoryNow();
   forgetPeakMemory();
@@ -152,6 +158,7 @@ int main(int argc, char** argv) {
   using namespace bedmix;
   bench::Options options;
   std::string simd;
+  std::vector<std::string> changes;
   CLI::App app{"What a step of whole beds costs, as CSV: medians over repeats, ns per particle and step."};
   app.add_option("input", options.inputs, "state files (rows x y vx vy) and scenes (.toml)")
       ->required()
@@ -164,10 +171,16 @@ int main(int argc, char** argv) {
                  "a state with gas at 2 u_mf, so many columns of 27 cells a thousand particles")
       ->check(CLI::PositiveNumber);
   app.add_option("--seconds", options.seconds, "measured time of a scene")->check(CLI::PositiveNumber);
+  app.add_option("--set", changes, "PATH=VALUE of the scene, as for bedmix run")->allow_extra_args(false);
   app.add_option("--threads", options.threads)->check(CLI::PositiveNumber);
   app.add_option("--simd", simd, "baseline, avx2 or avx512; the best there is by default");
   app.add_option("--repeats", options.repeats)->check(CLI::PositiveNumber);
   CLI11_PARSE(app, argc, argv);
+  for (const std::string& change : changes) {
+    const std::size_t equals = change.find('=');
+    if (equals == std::string::npos) return bench::complain("--set " + change + ": not PATH=VALUE");
+    options.overrides.push_back({change.substr(0, equals), change.substr(equals + 1)});
+  }
   if (!simd.empty()) {
     const auto level = simdLevelNamed(simd);
     if (!level || !useSimdLevel(*level)) return bench::complain("--simd " + simd + ": not on this machine");
