@@ -69,7 +69,7 @@ class Report {
 
   void timeScales() {
     section_ = "time scales";
-    const double mass = particleMass(scene_), k = scene_.contacts.stiffness;
+    const double mass = particleMass(scene_), k = normalStiffness(scene_);
     add("contact time scale T", contactTimeScale(scene_), "s", "2 pi sqrt(m/k)");
     if (const auto contact = contactDuration())
       add("duration of a contact", *contact, "s", "two particles, head-on");
@@ -84,7 +84,7 @@ class Report {
 
   /// s; none where two particles do not rebound.
   std::optional<double> contactDuration() const {
-    const double mass = particleMass(scene_), k = scene_.contacts.stiffness;
+    const double mass = particleMass(scene_), k = normalStiffness(scene_);
     const double damping = pairDamping(scene_) / (2.0 * std::sqrt(0.5 * mass * k));
     if (damping >= 1.0) return std::nullopt;
     return std::numbers::pi * std::sqrt(0.5 * mass / k) / std::sqrt(1.0 - damping * damping);

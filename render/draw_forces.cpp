@@ -57,7 +57,7 @@ Vec2 nearestOn(const WallSegment& wall, Vec2 p) {
 }  // namespace
 
 std::vector<FrameContact> contactsOf(const Frame& frame, const Scene& scene) {
-  const double stiffness = scene.contacts.stiffness;
+  const double stiffness = normalStiffness(scene);
   const auto radius = [&](std::uint32_t i) { return radiusOf(scene, frame, i); };
   const Cells cells = sortIntoCells(frame, scene);
   const std::vector<WallSegment> walls = bedWalls(scene);

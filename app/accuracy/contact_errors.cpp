@@ -58,8 +58,8 @@ class Collisions {
       : scene_(emptyBed(like)),
         d_(scene_.particles.diameter),
         speed_(approachSpeed(like)),
-        pair_{0.5 * particleMass(scene_), scene_.contacts.stiffness, pairDamping(scene_)},
-        wall_{particleMass(scene_), scene_.contacts.stiffness, wallDamping(scene_)} {}
+        pair_{0.5 * particleMass(scene_), normalStiffness(scene_), pairDamping(scene_)},
+        wall_{particleMass(scene_), normalStiffness(scene_), wallDamping(scene_)} {}
 
   void measure(Sample& into) {
     if (!pair_.rebounds() || !wall_.rebounds()) return;

@@ -213,10 +213,13 @@ class Designer {
     Sweep sweep{"contacts.stiffness", "", "", {}};
     for (const double factor : stiffnesses) {
       Scene changed = fixed_;
-      changed.contacts.stiffness *= factor;
+      if (auto& hertz = changed.contacts.hertz)
+        hertz->youngsModulus *= factor;
+      else
+        *changed.contacts.stiffness *= factor;
       changed.time.step = partOf(whole(), fixed_.time.step / std::sqrt(factor));
       const bool runs = factor == 1.0 || factor == 5.0 || factor == 25.0;
-      sweep.turns.push_back({changed.contacts.stiffness, runs ? addWithStatistics(changed) : add(changed)});
+      sweep.turns.push_back({normalStiffness(changed), runs ? addWithStatistics(changed) : add(changed)});
     }
     sweep.reference = sweep.turns.back().setting;
     design_.sweeps.push_back(std::move(sweep));

@@ -30,7 +30,7 @@ class Diagrams {
 
   std::vector<DiagramPanel> contacts() const {
     const Scene& scene = design_.settings.front().scene;
-    const DampedContact pair{0.5 * particleMass(scene), scene.contacts.stiffness, pairDamping(scene)};
+    const DampedContact pair{0.5 * particleMass(scene), normalStiffness(scene), pairDamping(scene)};
     const double seconds = pair.rebounds() ? pair.duration() : contactTimeScale(scene);
     const Value cost = [wall = numberOf(measure::demWall), seconds](const Finding& f) {
       auto w = wall(f);
@@ -125,7 +125,7 @@ class Diagrams {
     if (paper == design_.settings.end() || setting.scene.time.step.isAutomatic()) return false;
     const double step = setting.scene.time.step, of = paper->scene.time.step;
     return setting.scene.time.integrator == paper->scene.time.integrator && std::abs(step - of) < 1e-9 * of &&
-           setting.scene.contacts.stiffness == paper->scene.contacts.stiffness;
+           normalStiffness(setting.scene) == normalStiffness(paper->scene);
   }
 
   /// A line a sweep; without `error`, of the distances from each sweep's reference.

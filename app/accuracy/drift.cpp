@@ -18,7 +18,7 @@ constexpr int chunks = 100;      // of sqrt(d/g)
 
 /// J, over k/2 for springs and m/2 for motion.
 double energyOf(const Frame& frame, const Scene& scene) {
-  const double d = scene.particles.diameter, m = particleMass(scene), k = scene.contacts.stiffness;
+  const double d = scene.particles.diameter, m = particleMass(scene), k = normalStiffness(scene);
   double motion = 0.0, springs = 0.0;
   const auto press = [&](double overlap) { springs += overlap > 0.0 ? overlap * overlap : 0.0; };
   for (std::size_t i = 0; i < frame.size(); ++i) {

@@ -28,13 +28,13 @@ Particles particlesOf(const Scene& scene, const Frame& frame) {
 }
 
 const Result<Particles>& StartStates::settled(const Setting& setting, int seedOffset) {
-  const double stiffness = setting.scene.contacts.stiffness;
+  const double stiffness = normalStiffness(setting.scene);
   return settled_.get({stiffness, seedOffset}, [&] {
     Scene scene = scene_;
     scene.seed += static_cast<std::uint64_t>(seedOffset);
     scene.contacts = setting.scene.contacts;
     if (!scene.time.step.isAutomatic())
-      scene.time.step = scene_.time.step * std::min(1.0, std::sqrt(scene_.contacts.stiffness / stiffness));
+      scene.time.step = scene_.time.step * std::min(1.0, std::sqrt(normalStiffness(scene_) / stiffness));
     return packBed(scene);
   });
 }

@@ -32,6 +32,8 @@ enum class FloorShape { straight, stair };
 enum class Arrangement { settled, drop };
 /// Which particles carry the tracer colour.
 enum class TracerRule { leftHalf, rightHalf, lowerHalf, upperHalf, species };
+/// How rolling is resisted.
+enum class RollingModel { elasticPlastic, constantTorque };
 /// How the diameters of one kind of particles differ.
 enum class SizeDistribution { normal, lognormal, uniform };
 
@@ -105,6 +107,13 @@ inline constexpr std::array modelTable<TracerRule>{
     ModelInfo{"lower-half", "the half of the particles that lies lowest at the start", ""},
     ModelInfo{"upper-half", "the half of the particles that lies highest at the start", ""},
     ModelInfo{"species", "all but the first kind of particles", ""},
+};
+template <>
+inline constexpr std::array modelTable<RollingModel>{
+    ModelInfo{"elastic-plastic", "spring 2.25 k (mu_r R)^2 and dashpot, at most mu_r R F_n (type C)",
+              "Ai, Chen, Rotter & Ooi (2011), Powder Technol. 206:269"},
+    ModelInfo{"constant-torque", "mu_r R F_n against the relative spin (type A)",
+              "Ai, Chen, Rotter & Ooi (2011), Powder Technol. 206:269"},
 };
 template <>
 inline constexpr std::array modelTable<SizeDistribution>{

@@ -33,19 +33,32 @@ double lightestMass(const Scene& scene) {
   return isMixed(scene) ? particleRange(scene).lightest : particleMass(scene);
 }
 
+double normalStiffness(const Scene& scene) {
+  const auto& hertz = scene.contacts.hertz;
+  if (!hertz) return *scene.contacts.stiffness;
+  const double radius = 0.5 * particleRange(scene).smallest;
+  const double overlap = 2.0 * radius * scene.limits.warnOverlap;
+  return 4.0 / 3.0 * effectiveModulus(*hertz) * std::sqrt(radius * overlap);
+}
+
+double effectiveModulus(const HertzSettings& hertz) {
+  return 0.5 * hertz.youngsModulus / (1.0 - hertz.poissonRatio * hertz.poissonRatio);
+}
+
 double pairDamping(const Scene& scene) {
   const ContactSettings& c = scene.contacts;
   return c.damping ? *c.damping
-                   : dampingFor(c.restitution.value_or(1.0), c.stiffness, lightestMass(scene) / 2);
+                   : dampingFor(c.restitution.value_or(1.0), normalStiffness(scene), lightestMass(scene) / 2);
 }
 
 double wallDamping(const Scene& scene) {
   const ContactSettings& c = scene.contacts;
-  return c.damping ? *c.damping : dampingFor(c.restitution.value_or(1.0), c.stiffness, lightestMass(scene));
+  return c.damping ? *c.damping
+                   : dampingFor(c.restitution.value_or(1.0), normalStiffness(scene), lightestMass(scene));
 }
 
 double contactTimeScale(const Scene& scene) {
-  return 2.0 * pi * std::sqrt(lightestMass(scene) / scene.contacts.stiffness);
+  return 2.0 * pi * std::sqrt(lightestMass(scene) / normalStiffness(scene));
 }
 
 double minimumFluidizationVelocity(const Scene& scene) {

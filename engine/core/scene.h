@@ -68,11 +68,26 @@ struct PairSettings {
   std::optional<double> friction;  // coefficient
 };
 
+/// Elastic spheres instead of linear springs.
+struct HertzSettings {
+  double youngsModulus = 1e7;  // Pa
+  double poissonRatio = 0.25;
+};
+
+/// Torque against rolling.
+struct RollingSettings {
+  RollingModel model = RollingModel::elasticPlastic;
+  double coefficient = 0.1;
+  double dampingRatio = 0.3;  // of the elastic-plastic one's spring, of critical
+};
+
 struct ContactSettings {
-  double stiffness = 2000.0;          // N/m
-  std::optional<double> restitution;  // exactly one of
-  std::optional<double> damping;      // these two; kg/s
+  std::optional<double> stiffness = 2000.0;  // N/m; exactly one of
+  std::optional<HertzSettings> hertz;        // these two
+  std::optional<double> restitution;         // exactly one of
+  std::optional<double> damping;             // these two; kg/s
   std::optional<FrictionSettings> friction;
+  std::optional<RollingSettings> rolling;
   std::vector<PairSettings> pairs;
 };
 
@@ -184,6 +199,11 @@ double particleVolume(const Scene& scene);  // m3
 double lightestMass(const Scene& scene);
 /// Weight of all particles over the area the bed stands on, Pa: what the gas has to carry.
 double bedWeight(const Scene& scene);
+/// The normal spring, N/m; of a Hertzian contact, whose spring stiffens with the overlap, that which gives
+/// the same force at limits.warn_overlap, of the smallest particle at a wall: ordinary contacts are softer.
+double normalStiffness(const Scene& scene);
+/// E* of two bodies of the same material, Pa: E/(2 (1 - nu^2)).
+double effectiveModulus(const HertzSettings& hertz);
 /// Normal dashpot, kg/s, between two particles and between a particle and a wall, of the lightest. From
 /// `restitution`, each gets the value that gives it; from `damping`, both get that.
 double pairDamping(const Scene& scene);

@@ -69,13 +69,34 @@ void describe(PairSettings& s, V& visit) {
 }
 
 template <class V>
+void describe(HertzSettings& s, V& visit) {
+  visit(Key{"youngs_modulus", "Pa", {1e3, 1e13}, "of particles and walls", true}, s.youngsModulus);
+  visit(Key{"poisson_ratio", "", {0.0, 0.5}, "of particles and walls"}, s.poissonRatio);
+}
+
+template <class V>
+void describe(RollingSettings& s, V& visit) {
+  visit(Key{"model", "", {}, "how rolling is resisted"}, s.model);
+  visit(Key{"coefficient", "", {0.0, 2.0, true}, "largest torque over normal force times effective radius"},
+        s.coefficient);
+  visit(Key{"damping_ratio", "", {0.0, 1.0}, "dashpot of the elastic-plastic spring, of the critical one"},
+        s.dampingRatio);
+}
+
+template <class V>
 void describe(ContactSettings& s, V& visit) {
-  visit(Key{"stiffness", "N/m", positive, "normal spring, of pairs and walls", true}, s.stiffness);
+  visit(Key{"hertz", "", {}, "switches on Hertzian contacts of elastic spheres, instead of stiffness"},
+        s.hertz);
+  if (s.hertz) s.stiffness.reset();  // which is there only where it is given, too
+  visit(Key{"stiffness", "N/m", positive, "normal spring, of pairs and walls; or give [contacts.hertz]",
+            !s.hertz},
+        s.stiffness);
   visit(Key{"restitution", "", {0.0, 1.0, true}, "rebound over approach speed; or give damping"},
         s.restitution);
   visit(Key{"damping", "kg/s", notNegative, "normal dashpot of pairs and walls; or give restitution"},
         s.damping);
   visit(Key{"friction", "", {}, "switches on tangential forces and rotation"}, s.friction);
+  visit(Key{"rolling", "", {}, "switches on resistance to rolling"}, s.rolling);
   visit(Key{"pairs", "", {}, "what contacts of certain kinds have of their own"}, s.pairs);
 }
 

@@ -104,9 +104,28 @@ class Rules {
           fmt::format("restitution and damping both set the dashpot: {} and {} kg/s contradict each other or "
                       "repeat each other; keep one",
                       *c.restitution, *c.damping));
+    if (c.hertz && c.stiffness)
+      add("contacts.stiffness", {"contacts.hertz"},
+          "stiffness is that of linear springs, and [contacts.hertz] replaces them; keep one");
+    if (c.hertz && c.damping)
+      add("contacts.damping", {"contacts.hertz"},
+          "a Hertzian contact's dashpot follows from restitution; give that instead of damping");
+    if (c.rolling && !c.friction)
+      add("contacts.rolling", {"contacts.friction"},
+          "particles without friction do not rotate, so that there is no rolling to resist; give "
+          "[contacts.friction]");
+    if (c.rolling && c.rolling->model == RollingModel::elasticPlastic)
+      needsVerlet("contacts.rolling.model", "the spring of elastic-plastic rolling");
     if (!c.restitution && !c.damping)
       add("contacts.restitution", {"contacts.damping"},
           "[contacts] needs either restitution (rebound over approach speed) or damping (kg/s)");
+  }
+
+  void needsVerlet(std::string path, std::string_view what) {
+    if (scene_.time.integrator != Integrator::rk4) return;
+    add(std::move(path), {"time.integrator"},
+        fmt::format("{} is not among what time.integrator = \"rk4\" advances; take another integrator",
+                    what));
   }
 
   void time() {

@@ -5,7 +5,7 @@
 #define HWY_TARGET_INCLUDE "engine/coupling/drag_laws.cpp"
 #include <hwy/foreach_target.h>
 // After foreach_target.h.
-#include "engine/coupling/power-inl.h"
+#include "engine/core/power-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace bedmix::HWY_NAMESPACE {

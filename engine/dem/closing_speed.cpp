@@ -10,28 +10,57 @@ namespace bedmix {
 
 namespace {
 
-double hardestOfBlock(const BedState& bed, const ContactBlock& block, const SpringDashpot& pair,
-                      const SpringDashpot& wall, double span) {
+/// The square of the impact, (m/s)2, of a body at `apart` that comes with `velocity`, in contact from `reach`
+/// on.
+double impact2(const SpringDashpot& law, double reach, Vec2 apart, Vec2 velocity, double span) {
+  const double distance = norm(apart), overlap = reach - distance;
+  const double closing = -dot(velocity, apart) / distance;
+  if (overlap <= 0.0 && overlap + closing * span <= 0.0) return 0.0;
+  const double pressed = std::max(overlap, 0.0);
+  return closing * closing + law.stiffness / law.mass * pressed * pressed;
+}
+
+/// Of pairs that touch at distances of their own.
+double hardestOfMixed(const BedState& bed, const ContactBlock& block, const SpringDashpot& law, double span) {
+  const std::vector<double>& radii = bed.particles.radii;
+  double hardest2 = 0.0;
+  const auto look = [&](std::int32_t i, std::int32_t j) {
+    const Body &first = bed.bodies[i], &second = bed.bodies[j];
+    hardest2 = std::max(hardest2, impact2(law, radii[i] + radii[j], second.position - first.position,
+                                          second.velocity - first.velocity, span));
+  };
+  for (std::size_t c = 0; c < block.candidateCount; ++c)
+    look(block.candidates[c].first, block.candidates[c].second);
+  for (std::size_t c = 0; c < block.crossing.count; ++c)
+    look(block.crossing.first[c], block.crossing.second[c]);
+  return hardest2;
+}
+
+double hardestOfAlike(const BedState& bed, const ContactBlock& block, const SpringDashpot& law, double span) {
   const Body* const bodies = bed.bodies.data();
   double hardest2 = 0.0;
   if (block.candidateCount > 0) {
     const ContactBlock::Pair* const pairs = block.candidates.data();
-    hardest2 = hardestImpact2(pair, span, bodies, {&pairs->first, &pairs->second, 2, block.candidateCount});
+    hardest2 = hardestImpact2(law, span, bodies, {&pairs->first, &pairs->second, 2, block.candidateCount});
   }
   const ContactSlots& crossing = block.crossing;
-  hardest2 = std::max(
+  return std::max(
       hardest2,
-      hardestImpact2(pair, span, bodies, {crossing.first.data(), crossing.second.data(), 1, crossing.count}));
+      hardestImpact2(law, span, bodies, {crossing.first.data(), crossing.second.data(), 1, crossing.count}));
+}
+
+double hardestOfBlock(const BedState& bed, const ContactBlock& block, const SpringDashpot& pair,
+                      const SpringDashpot& wall, double span) {
+  double hardest2 = bed.particles.areMixed() ? hardestOfMixed(bed, block, pair, span)
+                                             : hardestOfAlike(bed, block, pair, span);
   for (const ContactBlock::AtWall& w : block.walls)
     for (std::size_t c = 0; c < w.slots.count; ++c) {
-      const Body& body = bodies[w.slots.first[c]];
+      const std::int32_t i = w.slots.first[c];
+      const Body& body = bed.bodies[i];
       Vec2 point;
       if (!bed.contacts.walls()[w.wall].touchPoint(body.position, point)) continue;
-      const double distance = norm(point - body.position), overlap = wall.reach - distance;
-      const double closing = dot(body.velocity, point - body.position) / distance;
-      const double pressed = std::max(overlap, 0.0);
-      if (overlap > 0.0 || overlap + closing * span > 0.0)
-        hardest2 = std::max(hardest2, closing * closing + wall.stiffness / wall.mass * pressed * pressed);
+      hardest2 = std::max(hardest2, impact2(wall, bed.particles.radiusOf(i), point - body.position,
+                                            -1.0 * body.velocity, span));
     }
   return hardest2;
 }

@@ -22,7 +22,7 @@ constexpr double allowance = 1.1;                          // for the phases in 
 
 double exactRestitution(const Scene& scene) {
   const double m = 0.5 * lightestMass(scene);
-  const double zeta = pairDamping(scene) / (2.0 * std::sqrt(m * scene.contacts.stiffness));
+  const double zeta = pairDamping(scene) / (2.0 * std::sqrt(m * normalStiffness(scene)));
   return zeta < 1.0 ? std::exp(-std::numbers::pi * zeta / std::sqrt(1.0 - zeta * zeta)) : 0.0;
 }
 

@@ -1,40 +1,48 @@
 // SPDX-License-Identifier: MIT
 #include "engine/dem/contact_forces.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace bedmix {
 
 namespace {
 
-/// Keeps the deepest contact of a block; `distance2(slot)` is asked only where there is a deeper one.
-template <class Distance2>
+/// Keeps the deepest contact of a block; `overlap(slot)`, m, is asked only where there is a deeper one.
+template <class Overlap>
 void watch(const BedState& bed, ContactBlock& block, const ContactSlots& slots, Range range, double reach,
-           const KernelReport& report, Distance2&& distance2) {
+           const KernelReport& report, Overlap&& overlap) {
   block.touching += report.touching;
   const double record = reach - block.deepest;
   if (!(report.closest2 < record * record)) return;
   block.deepest = reach - std::sqrt(report.closest2);
-  for (std::size_t c = range.begin; c < range.end; ++c)
-    if (distance2(c) == report.closest2) block.deepestId = bed.particles.id[slots.first[c]];
+  double deepest = 0.0;
+  for (std::size_t c = range.begin; c < range.end; ++c) {
+    const double here = overlap(c);
+    if (here > deepest) block.deepestId = bed.particles.id[slots.first[c]];
+    deepest = std::max(deepest, here);
+  }
 }
 
 void watchPairs(const BedState& bed, ContactBlock& block, const ContactSlots& slots, Range range,
                 const Motion& at, double reach, const KernelReport& report) {
+  const Particles& p = bed.particles;
   watch(bed, block, slots, range, reach, report, [&](std::size_t c) {
-    const Vec2 apart = at.body[slots.second[c]].position - at.body[slots.first[c]].position;
-    return dot(apart, apart);
+    const std::int32_t i = slots.first[c], j = slots.second[c];
+    return p.radiusOf(i) + p.radiusOf(j) - norm(at.body[j].position - at.body[i].position);
   });
 }
 
 }  // namespace
 
 ContactForces::ContactForces(const Scene& scene) {
-  const double radius = scene.particles.diameter / 2.0;
+  const double radius = scene.particles.diameter / 2.0, mass = particleMass(scene);
   const bool friction = scene.contacts.friction.has_value();
   const bool onset = scene.time.integrator == Integrator::verletOnset;
-  pair_ = {pairLaw(scene), radius, 0.0, friction, onset};
-  wall_ = {wallLaw(scene), radius, 0.0, friction, onset};
+  effects_ = contactEffects(scene);
+  const ContactEffects* const effects = effects_ ? &*effects_ : nullptr;
+  pair_ = {pairLaw(scene), radius, mass, 0.0, friction, onset, effects};
+  wall_ = {wallLaw(scene), radius, mass, 0.0, friction, onset, effects};
 }
 
 void ContactForces::addCrossing(BedState& bed, std::size_t b, const Motion& at, const Tangential& t) const {
@@ -70,7 +78,7 @@ void ContactForces::addWall(BedState& bed, ContactBlock& block, const ContactBlo
   watch(bed, block, s, {0, s.count}, wall_.law.reach, report, [&](std::size_t c) {
     Vec2 point;
     const Vec2 centre = at.body[s.first[c]].position;
-    return wall.touchPoint(centre, point) ? dot(point - centre, point - centre) : -1.0;
+    return wall.touchPoint(centre, point) ? bed.particles.radiusOf(s.first[c]) - norm(point - centre) : 0.0;
   });
 }
 

@@ -5,13 +5,23 @@
 #include "engine/dem/contact_kernel.h"
 
 #include <cstddef>
+#include <optional>
+#include <vector>
 
 namespace bedmix {
 
 /// The history of contacts where they stand: Verlet's is read and written in place.
 inline Tangential inPlace(ContactSlots& slots) {
-  if (slots.spring.empty()) return {};
-  return {slots.spring.data(), slots.slip.data(), slots.spring.data(), slots.slip.data()};
+  const auto orNull = [](std::vector<double>& values) { return values.empty() ? nullptr : values.data(); };
+  double *const spring = orNull(slots.spring), *const slip = orNull(slots.slip);
+  return {spring, slip, spring, slip, orNull(slots.rolled), orNull(slots.rollRate), orNull(slots.bridge)};
+}
+
+/// Where a bed's contacts are evaluated.
+inline Motion motionOf(const BedState& bed) {
+  const auto orNull = [](const auto& values) { return values.empty() ? nullptr : values.data(); };
+  const Particles& p = bed.particles;
+  return {bed.bodies.data(), orNull(bed.spinAhead), orNull(p.radii), orNull(p.masses), orNull(p.kinds)};
 }
 
 /// Evaluates the contacts of a bed, block by block.
@@ -19,6 +29,8 @@ class ContactForces {
  public:
   /// Springs do not grow before setStep().
   explicit ContactForces(const Scene& scene);
+  ContactForces(const ContactForces&) = delete;  // kernels point to the effects
+  ContactForces& operator=(const ContactForces&) = delete;
   /// Springs grow by half of this (s) times their old and their new slip.
   void setStep(double seconds) { pair_.halfStep = wall_.halfStep = 0.5 * seconds; }
 
@@ -46,6 +58,7 @@ class ContactForces {
   void addWall(BedState& bed, ContactBlock& block, const ContactBlock::AtWall& w, const Motion& at,
                const Tangential& t) const;
 
+  std::optional<ContactEffects> effects_;  // none where the kernels' are
   ContactKernel pair_, wall_;
 };
 

@@ -53,28 +53,38 @@ HWY_INLINE void addOther(Load* load, V force, V torque) { addRow(load, hn::Neg(f
 enum class Second { added, inRows };
 
 /// Those from `c` on; of the vector's lanes only those `among`.
-template <bool friction, bool onset, Second where>
-HWY_INLINE void addPairs(Law<friction, onset>& law, const Motion& at, const std::int32_t* i,
+template <Parts parts, Second where>
+HWY_INLINE void addPairs(Law<parts>& law, const Meetings& meetings, const Motion& at, const std::int32_t* i,
                          const std::int32_t* j, std::size_t c, M among, const Tangential& t, Load* loads,
                          Load* second) {
   const D d;
-  V rolling = hn::Zero(d);
-  if constexpr (friction)
-    rolling =
-        hn::Mul(law.radius(), collect(d, c, [&](std::size_t l) { return at.spin[i[l]] + at.spin[j[l]]; }));
+  Meeting<parts.rich> meeting;
+  if constexpr (parts.rich) {
+    meeting = meetings.ofPairs(i + c, j + c);
+  } else {
+    meeting.rolling = hn::Zero(d);
+    if constexpr (parts.friction)
+      meeting.rolling =
+          hn::Mul(law.radius(), collect(d, c, [&](std::size_t l) { return at.spin[i[l]] + at.spin[j[l]]; }));
+  }
   const Kinematics other = difference(at.body, i + c, j + c);
-  Push push{hn::Zero(d), hn::Zero(d), hn::Zero(d)};
-  const bool any = law.apply(other.position, other.velocity, rolling, among, c, t, push);
+  Push push{hn::Zero(d), hn::Zero(d), hn::Zero(d), hn::Zero(d)};
+  const bool any = law.apply(other.position, other.velocity, meeting, among, c, t, push);
   // Rows of all, for who reads them does not know who touches.
   if (!any && where == Second::added) return;
-  forRows(push, [&](std::size_t l, auto... parts) HWY_ATTR {
-    addRow(loads + i[c + l], parts...);
+  forRows(push, [&](std::size_t l, auto... halves) HWY_ATTR {
+    addRow(loads + i[c + l], halves...);
     if constexpr (where == Second::inRows) second[c + l] = Load{};
-    addOther(where == Second::added ? loads + j[c + l] : second + c + l, parts...);
+    if constexpr (!parts.rich)
+      addOther(where == Second::added ? loads + j[c + l] : second + c + l, halves...);
   });
+  if constexpr (parts.rich)
+    forRows({hn::Neg(push.fx), hn::Neg(push.fy), push.torqueOfSecond, push.torque},
+            [&](std::size_t l, auto... halves)
+                HWY_ATTR { addRow(where == Second::added ? loads + j[c + l] : second + c + l, halves...); });
 }
 
-template <bool friction, bool onset, Second where>
+template <Parts parts, Second where>
 KernelReport pairLoop(const ContactKernel& kernel, const Motion& motion, const PairIndices& pairs,
                       const Tangential& tangential, Load* loads, Load* second) {
   const D d;
@@ -83,15 +93,16 @@ KernelReport pairLoop(const ContactKernel& kernel, const Motion& motion, const P
   const std::int32_t *i = pairs.first, *j = pairs.second;
   const std::size_t end = pairs.slots.end;
   const M all = hn::FirstN(d, lanes);
-  Law<friction, onset> law(kernel);
+  Law<parts> law(kernel, false);
+  const Meetings meetings(kernel, at);
   std::size_t c = pairs.slots.begin;
   for (; c + lanes <= end; c += lanes)
-    addPairs<friction, onset, where>(law, at, i, j, c, all, t, loads, second);
-  if (c < end) addPairs<friction, onset, where>(law, at, i, j, c, hn::FirstN(d, end - c), t, loads, second);
+    addPairs<parts, where>(law, meetings, at, i, j, c, all, t, loads, second);
+  if (c < end) addPairs<parts, where>(law, meetings, at, i, j, c, hn::FirstN(d, end - c), t, loads, second);
   return law.report();
 }
 
-template <bool friction, bool onset>
+template <Parts parts>
 KernelReport wallLoop(const ContactKernel& kernel, const Motion& motion, const WallShape& wall,
                       const std::int32_t* particle, std::size_t count, const Tangential& tangential,
                       Load* loads) {
@@ -106,7 +117,8 @@ KernelReport wallLoop(const ContactKernel& kernel, const Motion& motion, const W
   const M none = hn::FirstN(d, 0), all = hn::FirstN(d, lanes);
   const Motion at = motion;
   const Tangential t = tangential;
-  Law<friction, onset> law(kernel);
+  Law<parts> law(kernel, true);
+  const Meetings meetings(kernel, at);
   for (std::size_t c = 0; c < count; c += lanes) {
     const std::int32_t* i = particle + c;
     const auto [centre, velocity] = load(at.body, i);
@@ -120,25 +132,49 @@ KernelReport wallLoop(const ContactKernel& kernel, const Motion& motion, const W
     const V clamped = hn::Min(hn::Max(place, zero), length);
     const Planar point{hn::Add(a.x, hn::Mul(clamped, along.x)), hn::Add(a.y, hn::Mul(clamped, along.y))};
     const Planar nearest{hn::IfThenElse(beyondB, b.x, point.x), hn::IfThenElse(beyondB, b.y, point.y)};
-    V rolling = zero;
-    if constexpr (friction)
-      rolling = hn::Mul(law.radius(), collect(d, 0, [&](std::size_t l) { return at.spin[i[l]]; }));
+    Meeting<parts.rich> meeting;
+    if constexpr (parts.rich) {
+      meeting = meetings.atWall(i);
+    } else {
+      meeting.rolling = zero;
+      if constexpr (parts.friction)
+        meeting.rolling = hn::Mul(law.radius(), collect(d, 0, [&](std::size_t l) { return at.spin[i[l]]; }));
+    }
     const M among = hn::And(pushes, count - c < lanes ? hn::FirstN(d, count - c) : all);
-    Push push{zero, zero, zero};
-    if (!law.apply(minus(nearest, centre), {hn::Neg(velocity.x), hn::Neg(velocity.y)}, rolling, among, c, t,
+    Push push{zero, zero, zero, zero};
+    if (!law.apply(minus(nearest, centre), {hn::Neg(velocity.x), hn::Neg(velocity.y)}, meeting, among, c, t,
                    push))
       continue;
-    forRows(push, [&](std::size_t l, auto... parts) HWY_ATTR { addRow(loads + i[l], parts...); });
+    forRows(push, [&](std::size_t l, auto... halves) HWY_ATTR { addRow(loads + i[l], halves...); });
   }
   return law.report();
+}
+
+template <Parts parts>
+struct Composed {
+  static constexpr Parts value = parts;
+};
+
+/// Calls run() with the parts that the kernel has.
+template <class Run>
+KernelReport compose(const ContactKernel& kernel, const Run& run) {
+  const auto withFriction = [&]<bool onset, bool rich>() {
+    return kernel.friction ? run(Composed<Parts{true, onset, rich}>{})
+                           : run(Composed<Parts{false, onset, rich}>{});
+  };
+  if (kernel.effects)
+    return kernel.onset ? withFriction.template operator()<true, true>()
+                        : withFriction.template operator()<false, true>();
+  return kernel.onset ? withFriction.template operator()<true, false>()
+                      : withFriction.template operator()<false, false>();
 }
 
 template <Second where>
 KernelReport anyPairs(const ContactKernel& kernel, const Motion& at, const PairIndices& pairs,
                       const Tangential& t, Load* loads, Load* second) {
-  const auto smooth = kernel.onset ? pairLoop<false, true, where> : pairLoop<false, false, where>;
-  const auto rough = kernel.onset ? pairLoop<true, true, where> : pairLoop<true, false, where>;
-  return (kernel.friction ? rough : smooth)(kernel, at, pairs, t, loads, second);
+  return compose(kernel, [&](auto parts) {
+    return pairLoop<decltype(parts)::value, where>(kernel, at, pairs, t, loads, second);
+  });
 }
 
 }  // namespace
@@ -155,9 +191,9 @@ KernelReport crossing(const ContactKernel& kernel, const Motion& at, const PairI
 
 KernelReport wall(const ContactKernel& kernel, const Motion& at, const WallShape& wall,
                   const std::int32_t* particle, std::size_t count, const Tangential& t, Load* loads) {
-  const auto smooth = kernel.onset ? wallLoop<false, true> : wallLoop<false, false>;
-  const auto rough = kernel.onset ? wallLoop<true, true> : wallLoop<true, false>;
-  return (kernel.friction ? rough : smooth)(kernel, at, wall, particle, count, t, loads);
+  return compose(kernel, [&](auto parts) {
+    return wallLoop<decltype(parts)::value>(kernel, at, wall, particle, count, t, loads);
+  });
 }
 
 }  // namespace bedmix::HWY_NAMESPACE

@@ -14,10 +14,14 @@
 
 namespace bedmix {
 
-/// Where forces are evaluated: one a particle, spin in rad/s (null without friction).
+/// Where forces are evaluated: one a particle, spin in rad/s (null without friction). Radii (m), masses (kg)
+/// and kinds are null where all are alike.
 struct Motion {
   const Body* body;
   const double* spin;
+  const double* radii = nullptr;
+  const double* masses = nullptr;
+  const std::uint8_t* kinds = nullptr;
 };
 
 /// Pairs that may touch, side by side; of them those in `slots`, which ends with a whole vector of eight or
@@ -35,10 +39,17 @@ struct Tangential {
   const double* slip;
   double* newSpring;
   double* newSlip;
+  /// What effects keep, in place; null where there is none: the rolling spring (rad) and its rate (rad/s), 1
+  /// where there is a liquid bridge.
+  double* rolled = nullptr;
+  double* rollRate = nullptr;
+  double* bridge = nullptr;
 };
 
 struct KernelReport {
-  double closest2;       // m2, smallest squared distance of those that touch; reach^2 without any
+  /// m2, smallest squared distance of those that touch; reach^2 without any. With effects that of two of the
+  /// law's reach with the deepest overlap there is.
+  double closest2;
   std::size_t touching;  // contacts
 };
 
@@ -49,10 +60,12 @@ struct KernelReport {
 /// acts that is up to half a step away. Velocities must be foreseen with the forces of the last step then.
 struct ContactKernel {
   SpringDashpot law;
-  double radius;    // m
-  double halfStep;  // s
+  double radius;        // m
+  double particleMass;  // kg, of one
+  double halfStep;      // s
   bool friction;
   bool onset;
+  const ContactEffects* effects;  // null where contacts are alike linear springs
 
   /// Adds to both particles' loads.
   KernelReport pairs(const Motion& at, const PairIndices& pairs, const Tangential& t, Load* loads) const;

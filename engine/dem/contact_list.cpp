@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "engine/dem/contact_list.h"
 
+#include "engine/core/particle_list.h"
+
 #include <algorithm>
 #include <cmath>
 #include <span>
@@ -25,13 +27,16 @@ void atLeast(std::vector<T>& values, std::size_t size) {
 }
 
 void saveHistory(StateWriter& out, const ContactSlots& slots) {
-  if (slots.spring.empty()) return;
-  out.putAll(std::span(slots.spring).first(slots.count));
-  out.putAll(std::span(slots.slip).first(slots.count));
+  slots.forHistory([&](const std::vector<double>& column) {
+    if (!column.empty()) out.putAll(std::span(column).first(slots.count));
+  });
 }
 bool loadHistory(StateReader& in, ContactSlots& slots) {
-  return slots.spring.empty() || (in.getAll(std::span(slots.spring).first(slots.count)) &&
-                                  in.getAll(std::span(slots.slip).first(slots.count)));
+  bool isSound = true;
+  slots.forHistory([&](std::vector<double>& column) {
+    isSound = isSound && (column.empty() || in.getAll(std::span(column).first(slots.count)));
+  });
+  return isSound;
 }
 
 /// Blocks whose contacts are evaluated together: as large as a core's cache likes, but several strips, so
@@ -45,27 +50,40 @@ std::size_t contactBlocks(const Scene& scene, std::size_t particles) {
 
 }  // namespace
 
-void ContactSlots::reserve(std::size_t slots, bool withSecond, bool withHistory) {
+HistoryColumns::HistoryColumns(const Scene& scene) : friction(scene.contacts.friction.has_value()) {
+  const auto& roll = scene.contacts.rolling;
+  rolling = roll && roll->model == RollingModel::elasticPlastic;
+  const CohesionSettings* cohesion = scene.effects.find<CohesionSettings>();
+  bridge = cohesion && cohesion->liquidBridge;
+}
+
+void ContactSlots::reserve(std::size_t slots, bool withSecond, const HistoryColumns& columns) {
   const std::size_t size = slots + vector;
   atLeast(first, size);
   if (withSecond) atLeast(second, size);
-  if (!withHistory) return;
-  atLeast(spring, size);
-  atLeast(slip, size);
+  const auto makeRoom = [&](bool isThere, std::vector<double>& column) {
+    if (isThere) atLeast(column, size);
+  };
+  makeRoom(columns.friction, spring);
+  makeRoom(columns.friction, slip);
+  makeRoom(columns.rolling, rolled);
+  makeRoom(columns.rolling, rollRate);
+  makeRoom(columns.bridge, bridge);
 }
 
 void ContactSlots::pad(std::int32_t own) {
   std::fill_n(first.begin() + static_cast<std::ptrdiff_t>(count), vector, own);
   if (!second.empty()) std::fill_n(second.begin() + static_cast<std::ptrdiff_t>(count), vector, own);
-  if (spring.empty()) return;
-  std::fill_n(spring.begin() + static_cast<std::ptrdiff_t>(count), vector, 0.0);
-  std::fill_n(slip.begin() + static_cast<std::ptrdiff_t>(count), vector, 0.0);
+  forHistory([&](std::vector<double>& column) {
+    if (!column.empty()) std::fill_n(column.begin() + static_cast<std::ptrdiff_t>(count), vector, 0.0);
+  });
 }
 
 ContactList::ContactList(const Scene& scene, const std::vector<WallSegment>& walls, std::size_t particles)
-    : diameter_(scene.particles.diameter),
+    : diameter_(particleRange(scene).largest + cohesionRange(scene)),
+      wallReach_(particleRange(scene).largest / 2.0 + cohesionRange(scene)),
       skin_(skinOverDiameter * diameter_),
-      friction_(scene.contacts.friction.has_value()),
+      columns_(scene),
       walls_(wallShapes(walls)),
       order_(diameter_ + skin_),
       blocks_(contactBlocks(scene, particles)) {
@@ -77,7 +95,7 @@ ContactList::ContactList(const Scene& scene, const std::vector<WallSegment>& wal
 
 bool ContactList::sort(const std::vector<Body>& bodies) {
   if (!order_.sort(bodies)) return false;
-  if (friction_) rememberContacts();
+  if (columns_.any()) rememberContacts();
   built_.resize(bodies.size());
   ++builds_;
   return true;
@@ -92,14 +110,20 @@ void ContactList::rememberContacts() {
   const auto forContacts = [&](auto&& visit) {
     const auto forSlots = [&](const ContactSlots& s, std::int32_t wall) {
       for (std::size_t c = 0; c < s.count; ++c) {
-        if (s.spring[c] == 0.0 && s.slip[c] == 0.0) continue;
+        bool remembers = false;
+        s.forHistory(
+            [&](const std::vector<double>& column) { remembers |= !column.empty() && column[c] != 0.0; });
+        if (!remembers) continue;
         std::int32_t first = placeOf_[s.first[c]], second = wall;
+        bool isTurned = false;
         if (wall == 0) {
           second = placeOf_[s.second[c]];
-          // The spring is along t, which turns with n, and so does what it pulls at: its sign stays.
-          if (second < first) std::swap(first, second);
+          // The spring is along t, which turns with n, and so does what it pulls at: its sign stays. How far
+          // the first has rolled on the second is told from the first.
+          isTurned = second < first;
+          if (isTurned) std::swap(first, second);
         }
-        visit(first, second, s, c);
+        visit(first, second, s, c, isTurned);
       }
     };
     for (const ContactBlock& block : blocks_) {
@@ -113,15 +137,17 @@ void ContactList::rememberContacts() {
   forContacts([&](std::int32_t first, auto&&...) { ++rememberedStart_[first]; });
   std::int32_t end = 0;
   for (std::int32_t& s : rememberedStart_) s = end += s;
-  atLeast(remembered_.second, static_cast<std::size_t>(end));
-  atLeast(remembered_.spring, static_cast<std::size_t>(end));
-  atLeast(remembered_.slip, static_cast<std::size_t>(end));
-  forContacts([&](std::int32_t first, std::int32_t second, const ContactSlots& s, std::size_t c) {
-    const std::int32_t to = --rememberedStart_[first];
-    remembered_.second[to] = second;
-    remembered_.spring[to] = s.spring[c];
-    remembered_.slip[to] = s.slip[c];
-  });
+  remembered_.reserve(static_cast<std::size_t>(end), true, columns_);
+  forContacts(
+      [&](std::int32_t first, std::int32_t second, const ContactSlots& s, std::size_t c, bool isTurned) {
+        const std::int32_t to = --rememberedStart_[first];
+        remembered_.second[to] = second;
+        remembered_.forHistory(
+            s, [&](std::vector<double>& mine, const std::vector<double>& its) { mine[to] = its[c]; });
+        if (!isTurned || !columns_.rolling) return;
+        remembered_.rolled[to] = -remembered_.rolled[to];
+        remembered_.rollRate[to] = -remembered_.rollRate[to];
+      });
 }
 
 void ContactList::recall(ContactSlots& slots, std::int32_t wall) const {
@@ -130,8 +156,9 @@ void ContactList::recall(ContactSlots& slots, std::int32_t wall) const {
     std::int32_t old = rememberedStart_[first];
     while (old < rememberedStart_[first + 1] && remembered_.second[old] != second) ++old;
     const bool found = old < rememberedStart_[first + 1];
-    slots.spring[c] = found ? remembered_.spring[old] : 0.0;
-    slots.slip[c] = found ? remembered_.slip[old] : 0.0;
+    slots.forHistory(remembered_, [&](std::vector<double>& mine, const std::vector<double>& its) {
+      mine[c] = found ? its[old] : 0.0;
+    });
   }
 }
 
@@ -143,10 +170,10 @@ void ContactList::find(std::size_t b, double innerSkin, const std::vector<Body>&
   for (std::size_t i = block.particles.begin; i < block.particles.end; ++i) built_[i] = bodies[i].position;
 
   block.near.count = 0;
-  block.near.reserve(0, true, friction_);
+  block.near.reserve(0, true, columns_);
   block.near.pad(static_cast<std::int32_t>(block.particles.begin));
   refresh(b, innerSkin, bodies, spare);
-  if (!friction_) return;
+  if (!columns_.any()) return;
   recall(block.near, 0);
   recall(block.crossing, 0);
   for (ContactBlock::AtWall& w : block.walls) recall(w.slots, -1 - static_cast<std::int32_t>(w.wall));
@@ -171,7 +198,7 @@ void ContactList::findPairs(ContactBlock& block, const std::vector<Body>& bodies
     for (std::size_t j = std::max(others.begin, block.particles.end); j < others.end; ++j) {
       const Vec2 apart = bodies[j].position - bodies[i].position;
       if (!(dot(apart, apart) < reach * reach)) continue;
-      crossing.reserve(crossing.count + 1 + crossing.count / 2, true, friction_);
+      crossing.reserve(crossing.count + 1 + crossing.count / 2, true, columns_);
       crossing.first[crossing.count] = static_cast<std::int32_t>(i);
       crossing.second[crossing.count++] = static_cast<std::int32_t>(j);
     }
@@ -180,22 +207,22 @@ void ContactList::findPairs(ContactBlock& block, const std::vector<Body>& bodies
     scan(i, sameStrip);
     scan(i, nextStrip);
   });
-  crossing.reserve(crossing.count, true, friction_);
+  crossing.reserve(crossing.count, true, columns_);
   crossing.pad(static_cast<std::int32_t>(block.particles.begin));
   atLeast(block.crossingLoads, crossing.count + vector);
 }
 
 void ContactList::findWalls(ContactBlock& block, const std::vector<Body>& bodies) {
-  const double reach = diameter_ / 2.0 + skin_;
+  const double reach = wallReach_ + skin_;
   for (ContactBlock::AtWall& w : block.walls) {
     ContactSlots& slots = w.slots;
     slots.count = 0;
     for (std::size_t i = block.particles.begin; i < block.particles.end; ++i) {
       if (!(walls_[w.wall].distance2(bodies[i].position) < reach * reach)) continue;
-      slots.reserve(slots.count + 1 + slots.count / 2, false, friction_);
+      slots.reserve(slots.count + 1 + slots.count / 2, false, columns_);
       slots.first[slots.count++] = static_cast<std::int32_t>(i);
     }
-    slots.reserve(slots.count, false, friction_);
+    slots.reserve(slots.count, false, columns_);
     slots.pad(static_cast<std::int32_t>(block.particles.begin));
   }
 }
@@ -225,13 +252,13 @@ void ContactList::refresh(std::size_t b, double innerSkin, const std::vector<Bod
   std::size_t met = 0;  // of the old ones
   for (std::size_t k = 0; k < block.candidateCount; k += portion) {
     const std::span some(block.candidates.data() + k, std::min(portion, block.candidateCount - k));
-    block.near.reserve(block.near.count + some.size(), true, friction_);
-    if (friction_)
-      choose<true>(some, innerSkin, bodies, old, met, block.near);
-    else
-      choose<false>(some, innerSkin, bodies, old, met, block.near);
+    block.near.reserve(block.near.count + some.size(), true, columns_);
+    const auto chosen = columns_.rolling || columns_.bridge ? &ContactList::choose<Remembers::more>
+                        : columns_.friction                 ? &ContactList::choose<Remembers::springs>
+                                                            : &ContactList::choose<Remembers::nothing>;
+    (this->*chosen)(some, innerSkin, bodies, old, met, block.near);
   }
-  block.near.reserve(block.near.count, true, friction_);
+  block.near.reserve(block.near.count, true, columns_);
   block.near.pad(static_cast<std::int32_t>(block.particles.begin));
   cutNear(block);
 }
@@ -253,7 +280,7 @@ void ContactList::cutNear(ContactBlock& block) {
 }
 
 // No branch: who is near is packed to the front, and the old ones are met in the same order.
-template <bool friction>
+template <ContactList::Remembers what>
 void ContactList::choose(std::span<const ContactBlock::Pair> candidates, double innerSkin,
                          const std::vector<Body>& bodies, const ContactSlots& old, std::size_t& met,
                          ContactSlots& near) const {
@@ -264,11 +291,17 @@ void ContactList::choose(std::span<const ContactBlock::Pair> candidates, double 
     const Vec2 apart = bodies[j].position - bodies[i].position;
     near.first[count] = i;
     near.second[count] = j;
-    if constexpr (friction) {
+    if constexpr (what != Remembers::nothing) {
       // Padding is a particle with itself, and no candidate.
       const bool known = ((old.first[met] ^ i) | (old.second[met] ^ j)) == 0;
-      near.spring[count] = kept[known] * old.spring[met];
-      near.slip[count] = kept[known] * old.slip[met];
+      if constexpr (what == Remembers::springs) {
+        near.spring[count] = kept[known] * old.spring[met];
+        near.slip[count] = kept[known] * old.slip[met];
+      } else {
+        near.forHistory(old, [&](std::vector<double>& mine, const std::vector<double>& its) {
+          mine[count] = kept[known] * its[met];
+        });
+      }
       met += static_cast<std::size_t>(known);
     }
     count += static_cast<std::size_t>(dot(apart, apart) < reach * reach);
@@ -324,7 +357,7 @@ bool ContactList::loadNear(ContactBlock& block, StateReader& in) const {
   if (!in.getAll(isNear)) return false;
   ContactSlots& near = block.near;
   near.reserve(isNear.size() - static_cast<std::size_t>(std::count(isNear.begin(), isNear.end(), 0)), true,
-               friction_);
+               columns_);
   near.count = 0;
   for (std::size_t k = 0; k < isNear.size(); ++k) {
     if (isNear[k] == 0) continue;

@@ -15,15 +15,47 @@
 
 namespace bedmix {
 
+/// What contacts remember from step to step.
+struct HistoryColumns {
+  bool friction = false, rolling = false, bridge = false;
+
+  explicit HistoryColumns(const Scene& scene);
+  bool any() const { return friction || rolling || bridge; }
+};
+
 /// Pairs of particles, or particles at one wall, that may touch, side by side, with the history of those that
 /// do: contacts keep it where they stand. Padded to whole vectors.
 struct ContactSlots {
   std::vector<std::int32_t> first, second;  // places in memory, first < second; at a wall first alone
   std::vector<double> spring, slip;         // m and m/s, 0 for who does not touch; empty without friction
+  std::vector<double> rolled, rollRate;     // rad and rad/s, likewise; empty without a rolling spring
+  std::vector<double> bridge;               // 1 where a liquid bridge is; empty without
   std::size_t count = 0;
 
+  /// Calls visit(column) for what they remember, whether it is there or empty.
+  template <class Visit>
+  void forHistory(Visit&& visit) {
+    for (std::vector<double>* column : {&spring, &slip, &rolled, &rollRate, &bridge}) visit(*column);
+  }
+  template <class Visit>
+  void forHistory(Visit&& visit) const {
+    for (const std::vector<double>* column : {&spring, &slip, &rolled, &rollRate, &bridge}) visit(*column);
+  }
+  /// Calls visit(mine, others) for each column that is there.
+  template <class Visit>
+  void forHistory(const ContactSlots& other, Visit&& visit) {
+    const auto pair = [&](std::vector<double>& mine, const std::vector<double>& others) {
+      if (!mine.empty()) visit(mine, others);
+    };
+    pair(spring, other.spring);
+    pair(slip, other.slip);
+    pair(rolled, other.rolled);
+    pair(rollRate, other.rollRate);
+    pair(bridge, other.bridge);
+  }
+
   /// Room for as many, whole vectors.
-  void reserve(std::size_t slots, bool withSecond, bool withHistory);
+  void reserve(std::size_t slots, bool withSecond, const HistoryColumns& columns);
   /// Fills the last vector up with `own`, any particle of the block.
   void pad(std::int32_t own);
 };
@@ -120,13 +152,14 @@ class ContactList {
   static void cutNear(ContactBlock& block);
   void recall(ContactSlots& slots, std::int32_t wall) const;
   bool loadNear(ContactBlock& block, StateReader& in) const;
-  template <bool friction>
+  enum class Remembers { nothing, springs, more };
+  template <Remembers what>
   void choose(std::span<const ContactBlock::Pair> candidates, double innerSkin,
               const std::vector<Body>& bodies, const ContactSlots& old, std::size_t& met,
               ContactSlots& near) const;
 
-  double diameter_, skin_;
-  bool friction_;
+  double diameter_, wallReach_, skin_;  // m, within which bodies may act on each other; beyond it
+  HistoryColumns columns_;
   std::int64_t builds_ = 0;
   std::size_t reach_ = 0;
   std::vector<WallShape> walls_;

@@ -91,7 +91,11 @@ std::unique_ptr<ParticleSolver> ParticleSolver::make(const Scene& scene, Particl
 
 ParticleSolver::ParticleSolver(const Scene& scene, Particles start, const std::vector<WallSegment>& walls,
                                ThreadTeam& team)
-    : bed_(scene, std::move(start), walls, team), pairLaw_(pairLaw(scene)), wallLaw_(wallLaw(scene)) {}
+    : bed_(scene, std::move(start), walls, team),
+      pairLaw_(pairLaw(scene)),
+      wallLaw_(wallLaw(scene)),
+      effects_(contactEffects(scene)),
+      smallest_(particleRange(scene).smallest) {}
 
 std::int64_t ParticleSolver::largestOverlapParticle() const {
   double deepest = 0.0;
@@ -131,30 +135,40 @@ double ParticleSolver::potentialEnergy() const {
 }
 
 double ParticleSolver::elasticEnergy() const {
-  const std::vector<Vec2>& position = bed_.particles.position;
+  const Particles& p = bed_.particles;
+  const std::vector<Vec2>& position = p.position;
   double energy = 0.0;
-  const auto add = [&](const SpringDashpot& law, Vec2 apart) {
-    const double depth = law.reach - norm(apart);
-    if (depth > 0.0) energy += 0.5 * law.stiffness * depth * depth;
+  // Returns the tangential spring, N/m, of a contact that overlaps by `depth`, with effective radius.
+  const auto add = [&](const SpringDashpot& law, double depth, double radius) {
+    if (depth <= 0.0) return law.tangentialStiffness;
+    if (!effects_ || !effects_->hertz) {
+      energy += 0.5 * law.stiffness * depth * depth;
+      return law.tangentialStiffness;
+    }
+    const double stiffness = effects_->spring * std::sqrt(radius * depth);
+    energy += 0.4 * stiffness * depth * depth;
+    return effects_->tangentialSpring * stiffness;
   };
-  const auto addSprings = [&](const ContactSlots& slots) {
-    for (const double spring : slots.spring) energy += 0.5 * pairLaw_.tangentialStiffness * spring * spring;
+  const auto addSpring = [&](const ContactSlots& slots, std::size_t c, double stiffness) {
+    if (!slots.spring.empty()) energy += 0.5 * stiffness * slots.spring[c] * slots.spring[c];
   };
   for (std::size_t b = 0; b < bed_.contacts.blocks(); ++b) {
     const ContactBlock& block = bed_.contacts.block(b);
-    for (const ContactSlots* slots : {&block.near, &block.crossing}) {
-      for (std::size_t c = 0; c < slots->count; ++c)
-        add(pairLaw_, position[slots->second[c]] - position[slots->first[c]]);
-      addSprings(*slots);
-    }
-    for (const ContactBlock::AtWall& w : block.walls) {
-      for (std::size_t c = 0; c < w.slots.count; ++c) {
-        const Vec2 centre = position[w.slots.first[c]];
-        Vec2 point;
-        if (bed_.contacts.walls()[w.wall].touchPoint(centre, point)) add(wallLaw_, point - centre);
+    for (const ContactSlots* slots : {&block.near, &block.crossing})
+      for (std::size_t c = 0; c < slots->count; ++c) {
+        const std::int32_t i = slots->first[c], j = slots->second[c];
+        const double first = p.radiusOf(i), second = p.radiusOf(j);
+        const double depth = first + second - norm(position[j] - position[i]);
+        addSpring(*slots, c, add(pairLaw_, depth, first * second / (first + second)));
       }
-      addSprings(w.slots);
-    }
+    for (const ContactBlock::AtWall& w : block.walls)
+      for (std::size_t c = 0; c < w.slots.count; ++c) {
+        const std::int32_t i = w.slots.first[c];
+        Vec2 point;
+        const bool isMet = bed_.contacts.walls()[w.wall].touchPoint(position[i], point);
+        const double depth = isMet ? p.radiusOf(i) - norm(point - position[i]) : 0.0;
+        addSpring(w.slots, c, add(wallLaw_, depth, p.radiusOf(i)));
+      }
   }
   return energy;
 }
@@ -166,13 +180,18 @@ void ParticleSolver::hashInto(StateHash& hash) const {
       hash.add(value);
   hash.add(p.spin);
 
-  std::vector<std::tuple<std::int64_t, std::int64_t, double>> springs;  // ids, or an id and -1 - wall
+  // What contacts remember, by ids, or an id and -1 - wall.
+  std::vector<std::tuple<std::int64_t, std::int64_t, double>> springs;
   const auto collect = [&](const ContactSlots& slots, auto&& other) {
-    for (std::size_t c = 0; c < slots.count && !slots.spring.empty(); ++c) {
-      if (slots.spring[c] == 0.0) continue;
-      const std::int64_t a = bed_.particles.id[slots.first[c]], b = other(c);
-      springs.emplace_back(std::max(a, b), std::min(a, b), slots.spring[c]);
-    }
+    for (const std::vector<double>* column : {&slots.spring, &slots.rolled, &slots.bridge})
+      for (std::size_t c = 0; c < slots.count && !column->empty(); ++c) {
+        const double value = (*column)[c];
+        if (value == 0.0) continue;
+        const std::int64_t a = bed_.particles.id[slots.first[c]], b = other(c);
+        // How far the first has rolled on the second is minus how far the second has on the first.
+        springs.emplace_back(std::max(a, b), std::min(a, b),
+                             column == &slots.rolled && a < b ? -value : value);
+      }
   };
   for (std::size_t b = 0; b < bed_.contacts.blocks(); ++b) {
     const ContactBlock& block = bed_.contacts.block(b);

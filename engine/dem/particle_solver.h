@@ -52,8 +52,9 @@ class ParticleSolver {
   Particles& particles() { return bed_.particles; }
   const Particles& particles() const { return bed_.particles; }
 
-  /// Deepest contact since the start, of a diameter, and the id of one whose it was (-1 without any).
-  double largestOverlap() const { return deepestOverlap(bed_) / (2.0 * bed_.particles.radius); }
+  /// Deepest contact since the start, of the smallest diameter, and the id of one whose it was (-1 without
+  /// any).
+  double largestOverlap() const { return deepestOverlap(bed_) / smallest_; }
   std::int64_t largestOverlapParticle() const;
   /// The largest speed after the last call of advance(), m/s, and whose it was.
   struct Fastest {
@@ -96,6 +97,8 @@ class ParticleSolver {
   virtual void goOn() = 0;
 
   SpringDashpot pairLaw_, wallLaw_;
+  std::optional<ContactEffects> effects_;
+  double smallest_;  // diameter, m
 };
 
 }  // namespace bedmix

@@ -92,7 +92,7 @@ bool RungeKutta4::attempt(BedState& bed, bool force) {
 
 void RungeKutta4::evaluate(BedState& bed, std::size_t stage) {
   std::fill(bed.loads.begin(), bed.loads.end(), Load{});
-  const Motion at{bed.bodies.data(), bed.spinAhead.data()};
+  const Motion at = motionOf(bed);
   std::size_t before = 0;  // arrays of earlier blocks
   for (std::size_t b = 0; b < bed.contacts.blocks(); ++b) {
     contacts_.evaluate(bed, b, at, [&](ContactSlots& slots, std::size_t k) -> Tangential {

@@ -53,7 +53,7 @@ void Verlet::begin(BedState& bed) {
   bed.team.run([&](int index) {
     Member m = start(bed, index);
     rebuild(bed, m, 0.0);
-    const Motion at{bed.bodies.data(), bed.spinAhead.data()};
+    const Motion at = motionOf(bed);
     for (std::size_t b = m.blocks.begin; b < m.blocks.end; ++b)
       contacts_.evaluate(bed, b, at, [](ContactSlots& slots, std::size_t) { return inPlace(slots); });
     bed.team.barrier();
@@ -89,7 +89,7 @@ StepOutcome Verlet::advance(BedState& bed, std::int64_t steps, double maxOverlap
 // with who comes later in memory, and those have not moved yet. Only contacts that reach into the next
 // member's blocks come before that.
 void Verlet::walk(BedState& bed, Member& m, std::int64_t steps, double maxOverlap) {
-  const Motion at{bed.bodies.data(), bed.spinAhead.data()};
+  const Motion at = motionOf(bed);
   const auto addCrossing = [&](std::size_t b) {
     contacts_.addCrossing(bed, b, at, inPlace(bed.contacts.block(b).crossing));
   };
@@ -123,7 +123,7 @@ void Verlet::walk(BedState& bed, Member& m, std::int64_t steps, double maxOverla
 
 // The pairs of a block and the end of its particles' step. Returns the square of the largest speed.
 double Verlet::finish(BedState& bed, std::size_t b, Member& m, const MotionKernel& kernel, bool last) {
-  const Motion at{bed.bodies.data(), bed.spinAhead.data()};
+  const Motion at = motionOf(bed);
   ContactBlock& block = bed.contacts.block(b);
   const Tangential history = inPlace(block.near);
   double fastest2 = 0.0;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "engine/effects/effects.h"
 
+#include "engine/core/particle_list.h"
+
 #include <fmt/format.h>
 
 #include <array>
@@ -24,9 +26,47 @@ std::string frictionNote(const Scene& scene) {
   return fmt::format("coefficient {:g}; particles rotate", friction->coefficient);
 }
 
+bool hasHertz(const Scene& scene) { return scene.contacts.hertz.has_value(); }
+std::string hertzNote(const Scene& scene) {
+  const auto& hertz = scene.contacts.hertz;
+  if (!hertz) return "no table [contacts.hertz]; springs are linear";
+  return fmt::format("Young's modulus {:g} Pa", hertz->youngsModulus);
+}
+
+bool hasRolling(const Scene& scene) { return scene.contacts.rolling.has_value(); }
+std::string rollingNote(const Scene& scene) {
+  const auto& rolling = scene.contacts.rolling;
+  if (!rolling) return "no table [contacts.rolling]";
+  return fmt::format("{}, coefficient {:g}", modelName(rolling->model), rolling->coefficient);
+}
+
+std::string mixedNote(const Scene& scene) {
+  if (!isMixed(scene)) return "all particles are alike; no [particles.size] or [[particles.species]]";
+  const ParticleRange range = particleRange(scene);
+  return fmt::format("kinds: {}, diameters from {:.3g} to {:.3g} m", particleKinds(scene).size(),
+                     range.smallest, range.largest);
+}
+
+bool hasCohesion(const Scene& scene) { return scene.effects.find<CohesionSettings>() != nullptr; }
+std::string cohesionNote(const Scene& scene) {
+  const CohesionSettings* cohesion = scene.effects.find<CohesionSettings>();
+  if (!cohesion) return "no table [cohesion]";
+  const char* law = cohesion->vanDerWaals    ? "van der Waals"
+                    : cohesion->liquidBridge ? "liquid bridges"
+                                             : "by area";
+  return fmt::format("{}, up to gaps of {:.3g} m", law, cohesionRange(scene));
+}
+
 constexpr std::array table{
+    EffectInfo{"particles.size", "sizes", [](const Scene& s) { return s.particles.size.has_value(); },
+               mixedNote},
+    EffectInfo{"particles.species", "species", [](const Scene& s) { return !s.particles.species.empty(); },
+               mixedNote},
     EffectInfo{"gas", "gas", hasGas, gasNote},
+    EffectInfo{"contacts.hertz", "Hertzian contacts", hasHertz, hertzNote},
     EffectInfo{"contacts.friction", "friction", hasFriction, frictionNote},
+    EffectInfo{"contacts.rolling", "rolling resistance", hasRolling, rollingNote},
+    EffectInfo{"cohesion", "cohesion", hasCohesion, cohesionNote},
 };
 
 }  // namespace

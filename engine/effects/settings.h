@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "engine/effects/cohesion.h"
 #include "engine/effects/effect_set.h"
 
 namespace bedmix {
 
 /// The effects with a table at the top of a scene, one a line: what else there is to say of them stands in
 /// effects.cpp, what they do is listed in effect_stage.cpp.
-using EffectSettings = EffectSet<>;
+using EffectSettings = EffectSet<CohesionSettings>;
 
 }  // namespace bedmix

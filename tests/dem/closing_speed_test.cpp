@@ -15,7 +15,7 @@ constexpr double side = 0.12;
 
 /// What closingSpeed() promises, asked of all pairs and the four walls of the box.
 double hardestImpact(const Scene& scene, const Particles& p) {
-  const double d = scene.particles.diameter, k = scene.contacts.stiffness;
+  const double d = scene.particles.diameter, k = normalStiffness(scene);
   double hardest = 0.0;
   const auto look = [&](double gap, double closing, double mass) {
     if (gap < 0.0)

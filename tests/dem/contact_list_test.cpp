@@ -325,7 +325,7 @@ void expectNoContactMissed(Integrator integrator) {
   Rng rng(5);
   for (Vec2& v : p.velocity) v = {rng.uniform(-2.0, 2.0), rng.uniform(-2.0, 2.0)};
 
-  const double k = scene.contacts.stiffness, r = diameter / 2.0;
+  const double k = normalStiffness(scene), r = diameter / 2.0;
   std::int64_t met = 0;
   for (int step = 0; step < 6000; ++step) {
     ASSERT_FALSE(solver->advance(1));

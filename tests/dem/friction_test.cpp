@@ -40,7 +40,7 @@ TEST_P(Friction, SlidingTurnsIntoRolling) {
   constexpr double start = 0.2;
   const double m = particleMass(scene_), mu = scene_.contacts.friction->coefficient;
   const double rollsAt = 2.0 * start / (7.0 * mu * scene_.gravity);
-  const double sag = m * scene_.gravity / scene_.contacts.stiffness;
+  const double sag = m * scene_.gravity / normalStiffness(scene_);
   const auto solver = solverAt(scene_, {{0.0, scene_.particles.diameter / 2.0 - sag}}, wideFloor());
   Particles& p = solver->particles();
   p.velocity[0].x = start;
@@ -65,7 +65,7 @@ TEST_P(Friction, ObliqueImpactInFullSliding) {
   for (const double e : {1.0, 0.9}) {
     scene_.contacts.restitution = e;
     // The linear law pulls at the very end, from the moment of the largest rebound speed on.
-    const DampedOscillator normal{m, scene_.contacts.stiffness, wallDamping(scene_), 0.0, vy};
+    const DampedOscillator normal{m, normalStiffness(scene_), wallDamping(scene_), 0.0, vy};
     const double a = normal.decay(), w = normal.frequency();
     const double fastest = -normal.velocityAt((pi - std::atan2(2.0 * a * w, w * w - a * a)) / w);
     const double impulse = 0.3 * m * (vy * (1.0 - e) + 2.0 * fastest);

@@ -63,7 +63,7 @@ class Order : public testing::TestWithParam<Orders> {
 
   double restitution() const { return *scene_.contacts.restitution; }
   DampedOscillator contact(double displacement, double velocity) const {
-    return {particleMass(scene_), scene_.contacts.stiffness, wallDamping(scene_), displacement, velocity};
+    return {particleMass(scene_), normalStiffness(scene_), wallDamping(scene_), displacement, velocity};
   }
 
   /// The worst of spheres that meet the floor at all phases of a step.

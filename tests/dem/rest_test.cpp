@@ -20,7 +20,7 @@ void expectStackAtRest(Integrator integrator, int count, double seconds) {
   const auto solver = solverAt(scene, positions, wideFloor());
   ASSERT_FALSE(solver->advance(std::llround(seconds / scene.time.step)));
   const Particles p = inOrderOfIds(solver->particles());
-  const double sag = weight / scene.contacts.stiffness;
+  const double sag = weight / normalStiffness(scene);
   for (int i = 0; i < count; ++i) {
     const double below = i == 0 ? -d / 2.0 : p.position[i - 1].y;
     EXPECT_NEAR(d - (p.position[i].y - below), (count - i) * sag, 1e-6 * sag) << "particle " << i;
@@ -45,7 +45,7 @@ TEST(Rest, SphereRollsDownAnIncline) {
   const double slope = 0.2;  // rad; rolls without sliding as tan(0.2) < 7/2 mu
   const Vec2 down{-std::cos(slope), -std::sin(slope)}, up{-std::sin(slope), std::cos(slope)};
   const double r = scene.particles.diameter / 2.0;
-  const double sag = particleMass(scene) * scene.gravity * std::cos(slope) / scene.contacts.stiffness;
+  const double sag = particleMass(scene) * scene.gravity * std::cos(slope) / normalStiffness(scene);
   const auto solver = solverAt(scene, {(r - sag) * up}, {{2.0 * down, -2.0 * down}});
   ASSERT_FALSE(solver->advance(20000));
   const Particles& p = solver->particles();

@@ -147,7 +147,7 @@ TEST(Solver, RecordsTheDeepestOverlap) {
   const auto solver = solverAt(scene, {{0.01, 0.1}, {0.0, 0.002 + 1e-6}}, wideFloor());
   solver->particles().velocity[1].y = -0.2;
   ASSERT_FALSE(solver->advance(200));
-  const double depth = 0.2 * std::sqrt(particleMass(scene) / scene.contacts.stiffness);
+  const double depth = 0.2 * std::sqrt(particleMass(scene) / normalStiffness(scene));
   EXPECT_NEAR(solver->largestOverlap(), depth / scene.particles.diameter, 1e-3 * depth / 0.004);
   EXPECT_EQ(solver->largestOverlapParticle(), 1);
 }

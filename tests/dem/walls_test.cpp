@@ -31,7 +31,7 @@ Push pushAt(Vec2 centre, const std::vector<WallSegment>& walls) {
 /// The speed one contact of this depth (m) gives in the one step.
 double speedFrom(double depth) {
   const Scene scene = smoothSpheres();
-  return scene.contacts.stiffness * depth / particleMass(scene) * 1e-9;
+  return normalStiffness(scene) * depth / particleMass(scene) * 1e-9;
 }
 
 class Corner : public testing::TestWithParam<bool> {

@@ -2,7 +2,7 @@
 #include "engine/coupling/drag_laws.h"
 
 #include "engine/core/simd.h"
-#include "engine/coupling/power-inl.h"
+#include "engine/core/power-inl.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>

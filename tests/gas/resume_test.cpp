@@ -281,7 +281,7 @@ TEST_F(DamagedCheckpoint, NonsenseUnderARightChecksumDoesNoHarm) {
 TEST_F(DamagedCheckpoint, AnotherSceneIsRefusedAnotherDurationIsNot) {
   scene.time.duration *= 2.0;
   EXPECT_EQ(refusal(sound), "");
-  scene.contacts.stiffness *= 2.0;
+  *scene.contacts.stiffness *= 2.0;
   EXPECT_EQ(refusal(sound), "the checkpoint is of another scene");
 }
 

@@ -19,7 +19,7 @@ std::vector<Check> halfOverlapElastic() {
   const auto solver = solverAt(scene, {{0.0, 0.0}, {0.6 * overlap, 0.8 * overlap}});
   go(*solver, 1000);
   const Particles& p = solver->particles();
-  const double exact = overlap * std::sqrt(2.0 * scene.contacts.stiffness / p.mass);
+  const double exact = overlap * std::sqrt(2.0 * normalStiffness(scene) / p.mass);
   const double parting = norm(p.velocity[1] - p.velocity[0]);
   return {{"parting speed is that of the spring's energy", std::pow(pairAngle(scene), 2.0) / 8.0,
            kickAtTheEdge, std::abs(parting / exact - 1.0)},
@@ -95,7 +95,7 @@ std::vector<Check> impactOnStiffStack() {
   }
   return {{"deepest contact over the one that takes all energy", 1.0, "v sqrt(m/k)",
            impact.solver->largestOverlap() * impact.scene.particles.diameter /
-               (Impact::speed * std::sqrt(m / impact.scene.contacts.stiffness))},
+               (Impact::speed * std::sqrt(m / normalStiffness(impact.scene)))},
           {"largest energy over that at the start", 1.0 + std::pow(pairAngle(impact.scene), 2.0) / 4.0,
            "(w dt)^2/4: a spring that begins inside a step", highest}};
 }
@@ -104,7 +104,7 @@ std::vector<Check> frictionZero() {
   Scene scene = smoothSpheres();
   scene.gravity = 9.81;
   scene.contacts.friction = FrictionSettings{.coefficient = 0.0};
-  const double sag = particleMass(scene) * scene.gravity / scene.contacts.stiffness;
+  const double sag = particleMass(scene) * scene.gravity / normalStiffness(scene);
   const auto solver = solverAt(scene, {{0.0, scene.particles.diameter / 2.0 - sag}}, wideFloor());
   solver->particles().velocity[0].x = 0.5;
   go(*solver, 100000);
@@ -117,7 +117,7 @@ std::vector<Check> frictionOne() {
   Scene scene = smoothSpheres();
   scene.gravity = 9.81;
   scene.contacts.friction = FrictionSettings{.coefficient = 1.0};
-  const double sag = particleMass(scene) * scene.gravity / scene.contacts.stiffness;
+  const double sag = particleMass(scene) * scene.gravity / normalStiffness(scene);
   const auto slider = solverAt(scene, {{0.0, scene.particles.diameter / 2.0 - sag}}, wideFloor());
   slider->particles().velocity[0].x = 0.5;
   go(*slider, 100000);

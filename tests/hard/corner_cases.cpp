@@ -33,7 +33,7 @@ Vec2 restOf(const Scene& scene, Vec2 at, Vec2 push, const std::vector<WallSegmen
 // The stair's first riser stands at x = 24 mm and is 12 mm high.
 std::vector<Check> stairCorner() {
   const Scene scene = stairScene();
-  const double w = particleMass(scene) * scene.gravity, k = scene.contacts.stiffness;
+  const double w = particleMass(scene) * scene.gravity, k = normalStiffness(scene);
   const Vec2 at = restOf(scene, {0.022, 0.002}, {3.0 * w, 0.0}, bedWalls(scene));
   return {
       {"push of the riser over 3 weights, less 1", left, balance,
@@ -45,7 +45,7 @@ std::vector<Check> stairCorner() {
 // What leaves the bisector grows by e^12 in the 0.1 s, as on any edge.
 std::vector<Check> stairEdge() {
   const Scene scene = stairScene();
-  const double w = particleMass(scene) * scene.gravity, k = scene.contacts.stiffness;
+  const double w = particleMass(scene) * scene.gravity, k = normalStiffness(scene);
   const double slant = std::sqrt(0.5), force = 3.0 * w;
   const Vec2 edge{0.024, 0.012}, away{-slant, slant};
   const Vec2 at =
@@ -60,7 +60,7 @@ std::vector<Check> sharpCorner() {
   Scene scene = smoothSpheres();
   scene.gravity = 9.81;
   scene.floor.inclinationDeg = 60.0;
-  const double w = particleMass(scene) * scene.gravity, k = scene.contacts.stiffness, r = 0.002;
+  const double w = particleMass(scene) * scene.gravity, k = normalStiffness(scene), r = 0.002;
   const Vec2 up{-std::sin(pi / 3.0), std::cos(pi / 3.0)};  // of the incline
   const Vec2 at = restOf(scene, {r, (r + std::sin(pi / 3.0) * r) / std::cos(pi / 3.0)}, {}, bedWalls(scene));
   return {{"push of the incline over 2 weights, less 1", left, balance,
@@ -73,7 +73,7 @@ std::vector<Check> sharpCorner() {
 std::vector<Check> betweenSteps() {
   Scene scene = smoothSpheres();
   scene.gravity = 9.81;
-  const double w = particleMass(scene) * scene.gravity, k = scene.contacts.stiffness, d = 0.004;
+  const double w = particleMass(scene) * scene.gravity, k = normalStiffness(scene), d = 0.004;
   const double gap = 0.98 * d;
   const Vec2 chain[] = {{-0.01, 0.012}, {0.0, 0.012}, {0.0, 0.0}, {gap, 0.0}, {gap, 0.012}, {0.05, 0.012}};
   std::vector<WallSegment> walls;
@@ -88,7 +88,7 @@ std::vector<Check> betweenSteps() {
 std::vector<Check> wallEnd() {
   Scene scene = smoothSpheres();
   scene.gravity = 9.81;
-  const double w = particleMass(scene) * scene.gravity, k = scene.contacts.stiffness;
+  const double w = particleMass(scene) * scene.gravity, k = normalStiffness(scene);
   const std::vector<WallSegment> posts{{{0.0, 0.0}, {0.0, 0.05}}, {{0.003, 0.0}, {0.003, 0.05}}};
   const Vec2 at = restOf(scene, {0.0015, 0.0514}, {}, posts);
   const Vec2 end{0.0, 0.05};

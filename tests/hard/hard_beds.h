@@ -40,7 +40,7 @@ inline double fastest(const Particles& p) {
 }
 /// w dt of two spheres, w^2 = 2 k/m.
 inline double pairAngle(const Scene& scene) {
-  return scene.time.step * std::sqrt(2.0 * scene.contacts.stiffness / particleMass(scene));
+  return scene.time.step * std::sqrt(2.0 * normalStiffness(scene) / particleMass(scene));
 }
 
 /// What a check's text begins with where it is not the default integrator that is checked.

@@ -298,7 +298,7 @@ double gasStepsToStop(const Scene& scene) {
 /// As many as take the round-off of a velocity, doubled in each, to where springs give way.
 double doublings(const Scene& scene, double velocity) {
   const double limit = scene.limits.maxOverlap * scene.particles.diameter *
-                       std::sqrt(2.0 * scene.contacts.stiffness / particleMass(scene));
+                       std::sqrt(2.0 * normalStiffness(scene) / particleMass(scene));
   return std::ceil(std::log2(limit / (velocity * std::numeric_limits<double>::epsilon()))) + 1.0;
 }
 constexpr const char* doubled = "round-off of the velocity, doubled in each, breaks the limit";

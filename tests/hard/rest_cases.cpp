@@ -17,7 +17,7 @@ double weight(const Scene& scene) { return particleMass(scene) * scene.gravity; 
 
 /// Heights of a stack at rest: each contact carries what stands above it.
 std::vector<Vec2> stackAtRest(const Scene& scene, int count, double x) {
-  const double sag = weight(scene) / scene.contacts.stiffness;
+  const double sag = weight(scene) / normalStiffness(scene);
   std::vector<Vec2> positions;
   double y = -scene.particles.diameter / 2.0;
   for (int i = 0; i < count; ++i) {
@@ -33,7 +33,7 @@ std::vector<Check> column() {
   scene.contacts.friction.emplace();
   constexpr int count = 200, steps = 6'000'000;
   const double lean = 0.5 * weight(scene), r = scene.particles.diameter / 2.0;
-  const std::vector<Vec2> rest = stackAtRest(scene, count, r - lean / scene.contacts.stiffness);
+  const std::vector<Vec2> rest = stackAtRest(scene, count, r - lean / normalStiffness(scene));
   const std::vector<WallSegment> corner{{{0.0, 2.0}, {0.0, 0.0}, true, false}, {{0.0, 0.0}, {1.0, 0.0}}};
   Particles start = makeParticles(scene, rest);
   start.addExternalForces();
@@ -87,7 +87,7 @@ std::vector<Check> pressed() {
   const auto solver = ParticleSolver::make(scene, std::move(start), wideFloor());
   go(*solver, 200000);
   const Particles p = inOrderOfIds(solver->particles());
-  const double sag = 1002.0 * weight(scene) / scene.contacts.stiffness, r = p.radius;
+  const double sag = 1002.0 * weight(scene) / normalStiffness(scene), r = p.radius;
   return {{"deepest contact over that of 1,002 weights at rest", 1.0 + 3.0 / std::sqrt(5.0),
            "both swings of two equal masses on two equal springs at once",
            solver->largestOverlap() * 2.0 * r / sag},
@@ -118,7 +118,7 @@ void addCrystal(std::vector<Check>& checks, double ofScale, Integrator integrato
   checks.push_back(
       {what + "largest energy over that at the start", 1.0, "dashpots and friction only take", highest});
   checks.push_back({what + "furthest from its site after 2 s, d",
-                    rows * (rows + 1) * weight(scene) / scene.contacts.stiffness / d,
+                    rows * (rows + 1) * weight(scene) / normalStiffness(scene) / d,
                     "2 x the sag of a chain of 16", moved});
 }
 

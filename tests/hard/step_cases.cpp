@@ -12,7 +12,7 @@ namespace {
 std::pair<double, const char*> allowance(const Scene& scene) {
   const double angle = pairAngle(scene), e = *scene.contacts.restitution;
   const double zeta =
-      pairDamping(scene) / (2.0 * std::sqrt(0.5 * particleMass(scene) * scene.contacts.stiffness));
+      pairDamping(scene) / (2.0 * std::sqrt(0.5 * particleMass(scene) * normalStiffness(scene)));
   if (scene.time.integrator != Integrator::verletOnset)
     return {e * (angle * angle / 8.0 + 2.0 * zeta * angle),
             "e ((w dt)^2/8 + 2 zeta w dt): spring and dashpot that begin and end inside a step"};

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 
 // Powers in vectors: once a target, in the manner of Highway.
-#if defined(BEDMIX_COUPLING_POWER_INL_H_) == defined(HWY_TARGET_TOGGLE)
-#ifdef BEDMIX_COUPLING_POWER_INL_H_
-#undef BEDMIX_COUPLING_POWER_INL_H_
+#if defined(BEDMIX_CORE_POWER_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef BEDMIX_CORE_POWER_INL_H_
+#undef BEDMIX_CORE_POWER_INL_H_
 #else
-#define BEDMIX_COUPLING_POWER_INL_H_
+#define BEDMIX_CORE_POWER_INL_H_
 #endif
 
 #include <cstddef>
