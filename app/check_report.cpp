@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "app/check_report.h"
 
+#include "app/effect_prices.h"
 #include "engine/core/gas_grid.h"
 #include "engine/core/mixing.h"
 #include "engine/core/thread_team.h"
 #include "engine/coupling/gas_step.h"
 #include "engine/dem/contact_error.h"
+#include "engine/effects/advice.h"
 #include "engine/effects/effects.h"
 #include "engine/simulation.h"
 
@@ -30,12 +32,14 @@ class Report {
 
   std::vector<CheckRow> rows() {
     effects();
+    advice();
     timeScales();
     particleStep();
     if (scene_.gas) gasStep(*scene_.gas);
     if (scene_.gas) gas(*scene_.gas);
     sizes();
     effort();
+    prices();
     return std::move(rows_);
   }
   std::vector<CheckRow> effectsOnly() {
@@ -65,6 +69,35 @@ class Report {
                                          : "particles may rise above the bed's height");
     effect("flux window", scene_.flux.has_value(),
            scene_.flux ? fmt::format("at x = {:g} m", scene_.flux->x) : "no table [flux]");
+  }
+
+  void advice() {
+    section_ = "advice";
+    for (const EffectAdvice& a : effectAdvice(scene_)) {
+      const auto info = std::find_if(effectTable().begin(), effectTable().end(),
+                                     [&](const EffectInfo& e) { return e.table == a.table; });
+      const std::string verdict = a.isOn == a.matters
+                                      ? (a.isOn ? "on, and matters" : "off, and does not matter")
+                                  : a.isOn ? "ON, BUT DOES NOT MATTER"
+                                           : "OFF, BUT MATTERS";
+      add(std::string(info->name), fmt::format("{:.3g}", a.value), "",
+          fmt::format("{}: {}: {}", verdict, a.number, a.meaning));
+    }
+  }
+
+  void prices() {
+    section_ = "prices";
+    const std::optional<EffectPrices> prices = measureEffectPrices(scene_);
+    if (!prices) return add("all together", "not measured", "", "too large for a moment, or empty");
+    add("all together", prices->whole, "ns",
+        fmt::format("a particle and step, measured here packed side by side, {:.2g} contacts a particle",
+                    prices->contacts));
+    for (const EffectPrice& price : prices->effects)
+      if (price.nanoseconds)
+        add(price.name, *price.nanoseconds, "ns",
+            "of these" + (price.with.empty() ? "" : fmt::format(", with {}", price.with)));
+      else
+        add(price.name, "not measured", "", "the scene cannot do without it");
   }
 
   void timeScales() {

@@ -57,7 +57,6 @@ Vec2 nearestOn(const WallSegment& wall, Vec2 p) {
 }  // namespace
 
 std::vector<FrameContact> contactsOf(const Frame& frame, const Scene& scene) {
-  const double stiffness = normalStiffness(scene);
   const auto radius = [&](std::uint32_t i) { return radiusOf(scene, frame, i); };
   const Cells cells = sortIntoCells(frame, scene);
   const std::vector<WallSegment> walls = bedWalls(scene);
@@ -65,7 +64,9 @@ std::vector<FrameContact> contactsOf(const Frame& frame, const Scene& scene) {
   const auto addPair = [&](std::uint32_t i, std::uint32_t j) {
     const Vec2f a = frame.position[i], b = frame.position[j];
     const double overlap = radius(i) + radius(j) - norm(toDouble(b) - toDouble(a));
-    if (overlap > 0.0) contacts.push_back({a, b, stiffness * overlap});
+    if (overlap <= 0.0) return;
+    const double effective = radius(i) * radius(j) / (radius(i) + radius(j));
+    contacts.push_back({a, b, elasticForce(scene, overlap, effective)});
   };
   const auto addPairs = [&](std::uint32_t i, std::uint32_t from, int row, int column) {
     if (row >= cells.rows || column < 0 || column >= cells.columns) return;
@@ -85,7 +86,7 @@ std::vector<FrameContact> contactsOf(const Frame& frame, const Scene& scene) {
     for (const WallSegment& wall : walls) {
       const Vec2 touched = nearestOn(wall, toDouble(at));
       const double overlap = radius(i) - norm(touched - toDouble(at));
-      if (overlap > 0.0) contacts.push_back({at, toFloat(touched), stiffness * overlap});
+      if (overlap > 0.0) contacts.push_back({at, toFloat(touched), elasticForce(scene, overlap, radius(i))});
     }
   }
   return contacts;

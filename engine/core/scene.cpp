@@ -41,6 +41,12 @@ double normalStiffness(const Scene& scene) {
   return 4.0 / 3.0 * effectiveModulus(*hertz) * std::sqrt(radius * overlap);
 }
 
+double elasticForce(const Scene& scene, double overlap, double effectiveRadius) {
+  const auto& hertz = scene.contacts.hertz;
+  if (!hertz) return *scene.contacts.stiffness * overlap;
+  return 4.0 / 3.0 * effectiveModulus(*hertz) * std::sqrt(effectiveRadius * overlap) * overlap;
+}
+
 double effectiveModulus(const HertzSettings& hertz) {
   return 0.5 * hertz.youngsModulus / (1.0 - hertz.poissonRatio * hertz.poissonRatio);
 }

@@ -202,6 +202,9 @@ double bedWeight(const Scene& scene);
 /// The normal spring, N/m; of a Hertzian contact, whose spring stiffens with the overlap, that which gives
 /// the same force at limits.warn_overlap, of the smallest particle at a wall: ordinary contacts are softer.
 double normalStiffness(const Scene& scene);
+/// Of a contact that overlaps by so much (m), N; of particles of that effective radius, m, r1 r2/(r1 + r2) or of one
+/// at a wall its own.
+double elasticForce(const Scene& scene, double overlap, double effectiveRadius);
 /// E* of two bodies of the same material, Pa: E/(2 (1 - nu^2)).
 double effectiveModulus(const HertzSettings& hertz);
 /// Normal dashpot, kg/s, between two particles and between a particle and a wall, of the lightest. From

@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: MIT
+#include "engine/core/scene_reader.h"
+#include "engine/effects/advice.h"
+#include "engine/effects/effects.h"
+#include "engine/simulation.h"
+#include "replay/hdf5_input.h"
+#include "replay/trajectory_layout.h"
+#include "replay/trajectory_writer.h"
+#include "tests/gas/gas_scenes.h"
+#include "tests/render/temp_folder.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <fstream>
+#include <sstream>
+
+namespace bedmix {
+namespace {
+
+Scene bundled(const std::string& name) {
+  std::ifstream file(BEDMIX_SOURCE_DIR "/assets/scenes/" + name + ".toml");
+  std::ostringstream text;
+  text << file.rdbuf();
+  return std::move(readScene(text.str(), name).value).value();
+}
+
+/// What a running bed keeps, in bytes.
+std::size_t stateBytes(const Scene& scene) {
+  const Simulation simulation = test::simulate(scene);
+  StateWriter out(0);
+  simulation.save(out);
+  return out.take().size();
+}
+
+Scene plainScene(std::int64_t particles) {
+  Scene scene = test::lowScene(particles, 1.0);
+  scene.gas.reset();
+  scene.contacts.friction.reset();
+  scene.start.arrangement = Arrangement::drop;
+  return scene;
+}
+
+/// A bed without effects keeps a place, a velocity, an id, a tag and the load of the step for each particle,
+/// and no array of an effect; with one, it keeps that.
+TEST(Absence, KeepsNothingOfEffectsThatAreOff) {
+  const auto perParticle = [](const auto& change) {
+    Scene few = plainScene(20), many = plainScene(60);
+    change(few);
+    change(many);
+    return static_cast<double>(stateBytes(many) - stateBytes(few)) / 40.0;
+  };
+  const double plain = perParticle([](Scene&) {});
+  EXPECT_EQ(plain, 16.0 + 16.0 + 4.0 + 4.0 + 1.0);  // position, velocity, id twice, tag
+  EXPECT_EQ(perParticle([](Scene& s) { s.contacts.friction.emplace(); }), plain + 8.0);  // spin
+  const auto gas = [](Scene& s) { s.gas = test::lowScene(1, 1.0).gas; };
+  EXPECT_EQ(perParticle(gas), plain + 16.0 + 8.0 + 16.0);  // force, drag, where it was foreseen
+  // Contacts that differ have no state of their own.
+  EXPECT_EQ(perParticle([](Scene& s) {
+              s.contacts.hertz.emplace();
+              s.contacts.stiffness.reset();
+            }),
+            plain);
+  EXPECT_EQ(perParticle([](Scene& s) {
+              s.particles.size.emplace();
+              s.bed.thickness = 0.008;
+            }),
+            plain);
+}
+
+TEST(Absence, FramesAndFilesHaveNoColumnsOfEffectsThatAreOff) {
+  const test::TempFolder folder;
+  struct Case {
+    const char* column;
+    void (*turnOn)(Scene&);
+  };
+  const Case cases[] = {
+      {layout::angularVelocity, [](Scene& s) { s.contacts.friction.emplace(); }},
+      {layout::gas, [](Scene& s) { s.gas = test::lowScene(1, 1.0).gas; }},
+      {layout::radius,
+       [](Scene& s) {
+         s.particles.size.emplace();
+         s.bed.thickness = 0.008;
+       }},
+      {layout::kind,
+       [](Scene& s) {
+         s.particles.species.push_back({"other", 3, {}, {}, {}});
+       }},
+  };
+  const auto columnsOf = [&](const Scene& scene) {
+    const auto path = folder / "trajectory.h5";
+    std::filesystem::remove(path);
+    {
+      auto writer = TrajectoryWriter::create(path, scene, {});
+      writer->accept(*test::simulate(scene).frame());
+      EXPECT_FALSE(writer->failure());
+    }
+    const Hdf5Input in(path, Reading::whole);
+    std::vector<bool> has;
+    for (const Case& c : cases) has.push_back(in.has(c.column));
+    return has;
+  };
+  const std::size_t count = std::size(cases);
+  EXPECT_EQ(columnsOf(plainScene(20)), std::vector<bool>(count, false));
+  for (std::size_t c = 0; c < count; ++c) {
+    Scene scene = plainScene(20);
+    cases[c].turnOn(scene);
+    EXPECT_TRUE(columnsOf(scene)[c]) << cases[c].column;
+  }
+  const FramePtr frame = test::simulate(plainScene(20)).frame();
+  EXPECT_FALSE(frame->hasGas());
+  EXPECT_TRUE(frame->angularVelocity.empty() && frame->radius.empty() && frame->kind.empty());
+}
+
+/// The paper's case A to the bit, on any machine: no effect that is added to the program may change it. Where
+/// it changes because the model does, CHANGELOG.md says why.
+TEST(Absence, CaseAStaysWhatItIs) {
+  Simulation simulation = test::simulate(bundled("tian-2007-even"));
+  ASSERT_EQ(simulation.advance(5000), std::nullopt);
+  EXPECT_EQ(simulation.stateHash(), 0x9ec8746df55ff00du);
+}
+
+TEST(EffectTable, IsOnWhereItsTableIs) {
+  const Scene plain = plainScene(20);
+  for (const EffectInfo& effect : effectTable()) {
+    EXPECT_FALSE(effect.isOn(plain)) << effect.table;
+    EXPECT_FALSE(effect.note(plain).empty()) << effect.table;
+  }
+  const Scene even = bundled("tian-2007-even");
+  for (const EffectInfo& effect : effectTable())
+    EXPECT_EQ(effect.isOn(even), effect.table == "gas" || effect.table == "contacts.friction")
+        << effect.table;
+}
+
+const EffectAdvice& adviceOn(const std::vector<EffectAdvice>& all, std::string_view table) {
+  return *std::find_if(all.begin(), all.end(), [&](const EffectAdvice& a) { return a.table == table; });
+}
+
+TEST(Advice, TellsFineGrainsToStickAndPebblesNot) {
+  Scene scene = plainScene(20);
+  scene.particles.density = 2500.0;
+  scene.particles.diameter = 0.003;
+  EXPECT_FALSE(adviceOn(effectAdvice(scene), "cohesion").matters);
+  scene.particles.diameter = 50e-6;
+  EXPECT_TRUE(adviceOn(effectAdvice(scene), "cohesion").matters);
+  // Bo = A r/(12 z^2) / (m g)
+  const double pull = 1e-19 * 1e-7 / (12.0 * 16e-20);
+  EXPECT_NEAR(adviceOn(effectAdvice(scene), "cohesion").value, pull / (particleMass(scene) * 9.81), 1e-9);
+}
+
+TEST(Advice, TellsDustThatItsFallNeedsTheAir) {
+  Scene scene = plainScene(20);
+  scene.particles.diameter = 0.01;
+  EXPECT_FALSE(adviceOn(effectAdvice(scene), "gas").matters);
+  scene.particles.diameter = 1e-4;
+  EXPECT_TRUE(adviceOn(effectAdvice(scene), "gas").matters);
+  Scene still = test::lowScene(20, 1e-4);
+  EXPECT_FALSE(adviceOn(effectAdvice(still), "gas").matters);
+  EXPECT_TRUE(adviceOn(effectAdvice(test::lowScene(20, 2.0)), "gas").matters);
+}
+
+}  // namespace
+}  // namespace bedmix
