@@ -14,8 +14,8 @@
 HWY_BEFORE_NAMESPACE();
 namespace bedmix::HWY_NAMESPACE {
 
-/// Ai, Chen, Rotter & Ooi (2011): types A, Eq. (4), and C, Eqs (9) to (16), with their spring of 2.25 k (mu_r
-/// R)^2 after Jiang, Yu & Harris (2005).
+/// Ai, Chen, Rotter & Ooi (2011): types A, Eq. (4), and C, Eqs (9) to (16), whose spring is 2.25 k (mu_r
+/// R)^2.
 class RollingTorque {
  public:
   explicit RollingTorque(const ContactKernel& kernel)
