@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: MIT
+#include "engine/effects/heat_laws.h"
+
+#include <cmath>
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "engine/effects/heat_laws.cpp"
+#include <hwy/foreach_target.h>
+// After foreach_target.h.
+#include "engine/coupling/power-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace bedmix::HWY_NAMESPACE {
+
+namespace {
+
+/// Calls body(d, i) for vectors of items from i on.
+template <class Body>
+HWY_INLINE void forLanes(std::size_t n, const Body& body) {
+  const hn::ScalableTag<double> d;
+  const hn::CappedTag<double, 1> single;
+  std::size_t i = 0;
+  for (; i + hn::Lanes(d) <= n; i += hn::Lanes(d)) body(d, i);
+  for (; i < n; ++i) body(single, i);
+}
+
+template <class D, class V>
+HWY_INLINE V nusseltOf(D d, double prandtl, V voidage, V reynolds) {
+  const auto set = [d](double x) HWY_ATTR { return hn::Set(d, x); };
+  const V root = power(d, set(prandtl), 1.0 / 3.0);
+  const V still = set(7.0) + voidage * (set(5.0) * voidage - set(10.0));
+  const V moving = set(1.33) + voidage * (set(1.2) * voidage - set(2.4));
+  return still * (set(1.0) + set(0.7) * power(d, reynolds, 0.2) * root) +
+         moving * power(d, reynolds, 0.7) * root;
+}
+
+/// 1 - e^-x for x >= 0.
+template <class D, class V>
+HWY_INLINE V relaxed(D d, V x) {
+  constexpr double c[]{1.0,
+                       1.0 / 2,
+                       1.0 / 6,
+                       1.0 / 24,
+                       1.0 / 120,
+                       1.0 / 720,
+                       1.0 / 5040,
+                       1.0 / 40320,
+                       1.0 / 362880,
+                       1.0 / 3628800,
+                       1.0 / 39916800,
+                       1.0 / 479001600,
+                       1.0 / 6227020800.0,
+                       1.0 / 87178291200.0};
+  constexpr double perLn2 = 1.44269504088896340736;
+  const V minus = hn::Zero(d) - x;
+  const V much = hn::Set(d, 1.0) - exp2Of(d, hn::Max(minus * hn::Set(d, perLn2), hn::Set(d, -900.0)));
+  return hn::IfThenElse(x < hn::Set(d, 0.5), x * polynomial(d, minus, c), much);
+}
+
+}  // namespace
+
+void gunnOf(double prandtl, std::size_t n, const double* voidage, const double* reynolds, double* nusselt) {
+  forLanes(n, [&](auto d, std::size_t i) HWY_ATTR {
+    hn::StoreU(nusseltOf(d, prandtl, hn::LoadU(d, voidage + i), hn::LoadU(d, reynolds + i)), d, nusselt + i);
+  });
+}
+
+void convectionOf(const ConvectionLaw& law, double step, std::size_t n, const double* voidage,
+                  const double* slip, const double* coupledVolume, double* conductance) {
+  forLanes(n, [&](auto d, std::size_t i) HWY_ATTR {
+    const auto eps = hn::LoadU(d, voidage + i);
+    const auto reynolds = hn::Set(d, law.reynoldsPerSlip) * eps * hn::LoadU(d, slip + i);
+    const auto whole = hn::Set(d, law.perVolume) * hn::LoadU(d, coupledVolume + i) *
+                       nusseltOf(d, law.prandtl, eps, reynolds);
+    const auto steps = whole * hn::Set(d, step / law.heatCapacity);
+    hn::StoreU(relaxed(d, steps) * hn::Set(d, law.heatCapacity / step), d, conductance + i);
+  });
+}
+
+}  // namespace bedmix::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace bedmix {
+
+HWY_EXPORT(gunnOf);
+HWY_EXPORT(convectionOf);
+
+void gunnNusselt(double prandtl, std::size_t n, const double* voidage, const double* reynolds,
+                 double* nusselt) {
+  HWY_DYNAMIC_DISPATCH(gunnOf)(prandtl, n, voidage, reynolds, nusselt);
+}
+
+ConvectionLaw::ConvectionLaw(const Scene& scene) {
+  const HeatGasSettings& gas = *scene.effects.find<HeatSettings>()->gas;
+  const double d = scene.particles.diameter;
+  prandtl = gas.heatCapacity * scene.gas->viscosity / gas.conductivity;
+  reynoldsPerSlip = scene.gas->density * d / scene.gas->viscosity;
+  perVolume = 6.0 * gas.conductivity / (d * d);
+  heatCapacity = particleHeatCapacity(scene);
+}
+
+void ConvectionLaw::conductances(double step, std::size_t n, const double* voidage, const double* slip,
+                                 const double* coupledVolume, double* conductance) const {
+  HWY_DYNAMIC_DISPATCH(convectionOf)(*this, step, n, voidage, slip, coupledVolume, conductance);
+}
+
+ConductionLaw::ConductionLaw(const Scene& scene) {
+  const HeatSettings& heat = *scene.effects.find<HeatSettings>();
+  conductivity = heat.conductivity;
+  if (!heat.youngsModulus) return;
+  const double nu = heat.poissonRatio, modulus = *heat.youngsModulus / (2.0 * (1.0 - nu * nu));
+  hertz = 3.0 * scene.contacts.stiffness / (4.0 * modulus);
+}
+
+double ConductionLaw::contactRadius(double overlap, double reducedRadius) const {
+  if (hertz > 0.0) return std::cbrt(hertz * overlap * reducedRadius);
+  return std::sqrt(2.0 * overlap * reducedRadius);
+}
+
+double particleHeatCapacity(const Scene& scene) {
+  return particleMass(scene) * scene.effects.find<HeatSettings>()->heatCapacity;
+}
+
+}  // namespace bedmix
+#endif
