@@ -27,11 +27,11 @@ void ContactHeat::ownContacts(const ContactBlock& block, const ContactList& cont
                               const Particles& particles, const std::vector<double>& temperature,
                               std::vector<double>& crossing, std::vector<double>& flow) const {
   const std::vector<Vec2>& position = particles.position;
-  const double radius = particles.radius;
   /// What the first gets.
   const auto between = [&](std::int32_t a, std::int32_t b) {
-    const double overlap = 2.0 * radius - norm(position[b] - position[a]);
-    return overlap > 0.0 ? law_.pair(overlap, 0.5 * radius) * (temperature[b] - temperature[a]) : 0.0;
+    const double r = particles.radiusOf(a), s = particles.radiusOf(b);
+    const double overlap = r + s - norm(position[b] - position[a]);
+    return overlap > 0.0 ? law_.pair(overlap, r * s / (r + s)) * (temperature[b] - temperature[a]) : 0.0;
   };
   std::fill(flow.begin() + static_cast<std::ptrdiff_t>(block.particles.begin),
             flow.begin() + static_cast<std::ptrdiff_t>(block.particles.end), 0.0);
@@ -53,7 +53,7 @@ void ContactHeat::ownContacts(const ContactBlock& block, const ContactList& cont
       const std::int32_t a = at.slots.first[c];
       Vec2 point;
       if (!contacts.walls()[at.wall].touchPoint(position[a], point)) continue;
-      const double overlap = radius - norm(point - position[a]);
+      const double radius = particles.radiusOf(a), overlap = radius - norm(point - position[a]);
       if (overlap > 0.0) flow[a] += law_.wall(overlap, radius) * (*wallTemperature_ - temperature[a]);
     }
 }

@@ -65,15 +65,15 @@ void gunnOf(double prandtl, std::size_t n, const double* voidage, const double* 
   });
 }
 
-void convectionOf(const ConvectionLaw& law, double step, std::size_t n, const double* voidage,
-                  const double* slip, const double* coupledVolume, double* conductance) {
-  forLanes(n, [&](auto d, std::size_t i) HWY_ATTR {
-    const auto eps = hn::LoadU(d, voidage + i);
-    const auto reynolds = hn::Set(d, law.reynoldsPerSlip) * eps * hn::LoadU(d, slip + i);
-    const auto whole = hn::Set(d, law.perVolume) * hn::LoadU(d, coupledVolume + i) *
+void convectionOf(const ConvectionLaw& law, double step, const ConvectionLaw::Batch& batch,
+                  double* conductance) {
+  forLanes(batch.size, [&](auto d, std::size_t i) HWY_ATTR {
+    const auto eps = hn::LoadU(d, batch.voidage + i);
+    const auto reynolds = hn::Set(d, law.reynoldsPerSlip) * eps * hn::LoadU(d, batch.slip + i);
+    const auto whole = hn::Set(d, law.conductivity) * hn::LoadU(d, batch.length + i) *
                        nusseltOf(d, law.prandtl, eps, reynolds);
-    const auto steps = whole * hn::Set(d, step / law.heatCapacity);
-    hn::StoreU(relaxed(d, steps) * hn::Set(d, law.heatCapacity / step), d, conductance + i);
+    const auto perStep = hn::LoadU(d, batch.heatCapacity + i) * hn::Set(d, 1.0 / step);
+    hn::StoreU(relaxed(d, whole / perStep) * perStep, d, conductance + i);
   });
 }
 
@@ -93,16 +93,13 @@ void gunnNusselt(double prandtl, std::size_t n, const double* voidage, const dou
 
 ConvectionLaw::ConvectionLaw(const Scene& scene) {
   const HeatGasSettings& gas = *scene.effects.find<HeatSettings>()->gas;
-  const double d = scene.particles.diameter;
   prandtl = gas.heatCapacity * scene.gas->viscosity / gas.conductivity;
-  reynoldsPerSlip = scene.gas->density * d / scene.gas->viscosity;
-  perVolume = 6.0 * gas.conductivity / (d * d);
-  heatCapacity = particleHeatCapacity(scene);
+  reynoldsPerSlip = scene.gas->density * scene.particles.diameter / scene.gas->viscosity;
+  conductivity = gas.conductivity;
 }
 
-void ConvectionLaw::conductances(double step, std::size_t n, const double* voidage, const double* slip,
-                                 const double* coupledVolume, double* conductance) const {
-  HWY_DYNAMIC_DISPATCH(convectionOf)(*this, step, n, voidage, slip, coupledVolume, conductance);
+void ConvectionLaw::conductances(double step, const Batch& batch, double* conductance) const {
+  HWY_DYNAMIC_DISPATCH(convectionOf)(*this, step, batch, conductance);
 }
 
 ConductionLaw::ConductionLaw(const Scene& scene) {
@@ -116,10 +113,6 @@ ConductionLaw::ConductionLaw(const Scene& scene) {
 double ConductionLaw::contactRadius(double overlap, double reducedRadius) const {
   if (hertz > 0.0) return std::cbrt(hertz * overlap * reducedRadius);
   return std::sqrt(2.0 * overlap * reducedRadius);
-}
-
-double particleHeatCapacity(const Scene& scene) {
-  return particleMass(scene) * scene.effects.find<HeatSettings>()->heatCapacity;
 }
 
 }  // namespace bedmix

@@ -18,14 +18,20 @@ void gunnNusselt(double prandtl, std::size_t n, const double* voidage, const dou
 struct ConvectionLaw {
   explicit ConvectionLaw(const Scene& scene);  // with heat and gas
 
-  /// W/K, for `n` voidages, slips |u - v| (m/s) and volumes that are coupled to the gas, m3.
-  void conductances(double step, std::size_t n, const double* voidage, const double* slip,
-                    const double* coupledVolume, double* conductance) const;
+  /// Of some particles.
+  struct Batch {
+    std::size_t size;
+    const double *voidage, *slip;  // -, and |u - v| where d is scene.particles.diameter, m/s: for others such
+                                   // as gives the same Reynolds number
+    const double* length;          // pi d, m, as far as coupled to the gas
+    const double* heatCapacity;    // J/K
+  };
+  /// W/K
+  void conductances(double step, const Batch& batch, double* conductance) const;
 
   double prandtl;
   double reynoldsPerSlip;  // s/m, at voidage 1
-  double perVolume;        // h A over Nusselt number and volume: 6 k / d^2, W/(m3 K)
-  double heatCapacity;     // of a particle, J/K
+  double conductivity;     // W/(m K)
 };
 
 /// Through contacts, Batchelor & O'Brien (1977), Proc. R. Soc. Lond. A 355:313: 2 k a between spheres and 4 k
@@ -49,8 +55,5 @@ struct ConductionLaw {
   double conductivity;  // W/(m K)
   double hertz = 0.0;   // a^3 per overlap and R, m; 0 where the overlap is the area of contact
 };
-
-/// Of a particle, J/K.
-double particleHeatCapacity(const Scene& scene);
 
 }  // namespace bedmix

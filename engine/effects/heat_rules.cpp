@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "engine/core/particle_list.h"
 #include "engine/effects/heat_laws.h"
 
 #include <fmt/format.h>
@@ -10,10 +11,11 @@ namespace bedmix {
 
 double longestHeatStep(const Scene& scene) {
   constexpr double neighbours = 6.0;
-  const double radius = scene.particles.diameter / 2.0;
-  const ConductionLaw law(scene);
-  const double between = law.pair(scene.limits.maxOverlap * scene.particles.diameter, radius / 2.0);
-  return between > 0.0 ? 0.5 * particleHeatCapacity(scene) / (neighbours * between) : infinity;
+  const ParticleRange range = particleRange(scene);
+  const double reduced = 0.5 * range.smallest * range.largest / (range.smallest + range.largest);
+  const double between = ConductionLaw(scene).pair(scene.limits.maxOverlap * range.smallest, reduced);
+  const double capacity = scene.effects.find<HeatSettings>()->heatCapacity * range.lightest;
+  return between > 0.0 ? 0.5 * capacity / (neighbours * between) : infinity;
 }
 
 std::vector<Contradiction> contradictions(const Scene& scene, const HeatSettings& heat) {
@@ -47,7 +49,7 @@ std::vector<Contradiction> contradictions(const Scene& scene, const HeatSettings
 
 std::string heatNote(const Scene& scene) {
   const HeatSettings& heat = *scene.effects.find<HeatSettings>();
-  std::string note = fmt::format("{:.3g} J/K a particle", particleHeatCapacity(scene));
+  std::string note = fmt::format("{:g} J/(kg K)", heat.heatCapacity);
   if (!heat.gas || !scene.gas || !(heat.conductivity > 0.0)) return note;
   double flow = 0.0;
   for (const Inlet& inlet : scene.gas->inlets) flow += inletVelocity(scene, inlet) * (inlet.to - inlet.from);

@@ -18,8 +18,10 @@ std::vector<double> temperaturesAtStart(const Scene& scene, const Particles& par
   std::vector<double> temperature(particles.size(), heat.temperature);
   if (!heat.tracerTemperature) return temperature;
   std::vector<Vec2f> position;
-  for (const Vec2 at : inOrderOfIds(particles).position) position.push_back(toFloat(at));
-  const std::vector<std::uint8_t> species = tagTracer(scene.tracer.rule, position, scene.bed.width);
+  const Particles byId = inOrderOfIds(particles);
+  for (const Vec2 at : byId.position) position.push_back(toFloat(at));
+  const std::vector<std::uint8_t> species =
+      tagTracer(scene.tracer.rule, position, byId.kinds, scene.bed.width);
   for (std::size_t i = 0; i < temperature.size(); ++i)
     if (species[i] == 1) temperature[i] = *heat.tracerTemperature;
   return temperature;
@@ -57,20 +59,24 @@ HeatStage::Gas::Gas(const EffectContext& context)
 
 HeatStage::HeatStage(const EffectContext& context)
     : context_(context),
-      capacity_(particleHeatCapacity(context.scene)),
+      perMass_(context.scene.effects.find<HeatSettings>()->heatCapacity),
       longest_(longestBetween(context.scene)),
       contacts_(context.scene),
       temperature_(temperaturesAtStart(context.scene, context.solver.particles())),
       here_(temperature_.size()),
+      capacity_(temperature_.size()),
       flow_(temperature_.size()) {
   if (context.gas) gas_.emplace(context);
 }
 
 void HeatStage::act(double passed, double) {
   const Particles& particles = context_.solver.particles();
-  for (std::size_t i = 0; i < here_.size(); ++i) here_[i] = temperature_[particles.id[i]];
+  for (std::size_t i = 0; i < here_.size(); ++i) {
+    here_[i] = temperature_[particles.id[i]];
+    capacity_[i] = perMass_ * particles.massOf(i);
+  }
   contacts_.evaluate(context_.solver.contacts(), particles, here_, flow_, context_.team);
-  for (std::size_t i = 0; i < here_.size(); ++i) here_[i] += passed / capacity_ * flow_[i];
+  for (std::size_t i = 0; i < here_.size(); ++i) here_[i] += passed * flow_[i] / capacity_[i];
   if (gas_) exchange(passed);
   for (std::size_t i = 0; i < here_.size(); ++i) temperature_[particles.id[i]] = here_[i];
 }
@@ -104,7 +110,12 @@ void HeatStage::giveToGas(double passed, Range block, BlockSum<Sums>& sum) {
   forBatches(block, [&](ExchangeBatch& batch) {
     loops.findSlip(sum.numbering(), batch);
     const BatchShares& shares = batch.shares;
-    gas_->law.conductances(passed, batch.size, batch.voidage, batch.slip, shares.coupledVolume,
+    double length[batchSize];
+    for (std::size_t i = 0; i < batch.size; ++i) {
+      const double radius = particles.radiusOf(batch.begin + i);
+      length[i] = 1.5 * shares.coupledVolume[i] / (radius * radius);
+    }
+    gas_->law.conductances(passed, {batch.size, batch.voidage, batch.slip, length, &capacity_[batch.begin]},
                            &gas_->conductance[batch.begin]);
     for (std::size_t i = 0; i < batch.size; ++i) {
       const std::size_t p = batch.begin + i;
@@ -149,7 +160,7 @@ void HeatStage::takeFromGas(double passed, Range block) {
     const double *const above = lower + stride, right = gas_->right[p];
     const double below = lower[0] + right * (lower[1] - lower[0]);
     const double around = below + gas_->upper[p] * (above[0] + right * (above[1] - above[0]) - below);
-    here_[p] += passed / capacity_ * gas_->conductance[p] * (around - here_[p]);
+    here_[p] += passed * gas_->conductance[p] * (around - here_[p]) / capacity_[p];
   }
 }
 

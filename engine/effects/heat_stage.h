@@ -61,12 +61,13 @@ class HeatStage final : public EffectStage {
   void exchange(double passed);
 
   const EffectContext context_;
-  double capacity_;  // of a particle, J/K
-  double longest_;   // s
+  double perMass_;  // heat capacity of the solid, J/(kg K)
+  double longest_;  // s
   ContactHeat contacts_;
   std::optional<Gas> gas_;
   std::vector<double> temperature_;  // by id
-  std::vector<double> here_, flow_;  // in memory: K, and W through contacts
+  // In memory: temperature, K, heat capacity, J/K, and what comes through contacts, W.
+  std::vector<double> here_, capacity_, flow_;
 };
 
 }  // namespace bedmix

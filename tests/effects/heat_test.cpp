@@ -30,6 +30,10 @@ HeatSettings& heatOf(Scene& scene) {
   return *heat;
 }
 
+double particleHeatCapacity(const Scene& scene) {
+  return particleMass(scene) * scene.effects.find<HeatSettings>()->heatCapacity;
+}
+
 /// A bed with its heat, of which every part can be looked at.
 struct WarmBed {
   Scene scene;
