@@ -7,7 +7,7 @@
 #define HWY_TARGET_INCLUDE "engine/effects/heat_laws.cpp"
 #include <hwy/foreach_target.h>
 // After foreach_target.h.
-#include "engine/coupling/power-inl.h"
+#include "engine/core/power-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace bedmix::HWY_NAMESPACE {
@@ -104,15 +104,20 @@ void ConvectionLaw::conductances(double step, const Batch& batch, double* conduc
 
 ConductionLaw::ConductionLaw(const Scene& scene) {
   const HeatSettings& heat = *scene.effects.find<HeatSettings>();
+  const auto& hertz = scene.contacts.hertz;
   conductivity = heat.conductivity;
+  if (hertz) square = 1.0;
   if (!heat.youngsModulus) return;
-  const double nu = heat.poissonRatio, modulus = *heat.youngsModulus / (2.0 * (1.0 - nu * nu));
-  hertz = 3.0 * scene.contacts.stiffness / (4.0 * modulus);
+  const double modulus = effectiveModulus({*heat.youngsModulus, heat.poissonRatio});
+  if (hertz)
+    square = std::cbrt(std::pow(effectiveModulus(*hertz) / modulus, 2));
+  else
+    cubePerArea = 3.0 * *scene.contacts.stiffness / (4.0 * modulus);
 }
 
 double ConductionLaw::contactRadius(double overlap, double reducedRadius) const {
-  if (hertz > 0.0) return std::cbrt(hertz * overlap * reducedRadius);
-  return std::sqrt(2.0 * overlap * reducedRadius);
+  if (cubePerArea > 0.0) return std::cbrt(cubePerArea * overlap * reducedRadius);
+  return std::sqrt(square * overlap * reducedRadius);
 }
 
 }  // namespace bedmix

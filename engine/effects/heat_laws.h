@@ -35,10 +35,10 @@ struct ConvectionLaw {
 };
 
 /// Through contacts, Batchelor & O'Brien (1977), Proc. R. Soc. Lond. A 355:313: 2 k a between spheres and 4 k
-/// a to a wall that has one temperature, a the radius of the area of contact. With springs this is that of
-/// the overlap, a^2 = 2 R d, 1/R = 1/R_1 + 1/R_2; softer than the solid by far, it is far too wide. With the
-/// solid's elastic constants it is that which the spring's force F makes on the solid, Hertz (1882): a^3 = 3
-/// F R / (4 E*), 1/E* = 2 (1 - nu^2)/E.
+/// a to a wall that has one temperature, a the radius of the area of contact. Of linear springs this is that
+/// of the overlap, a^2 = 2 R d, 1/R = 1/R_1 + 1/R_2, of Hertzian ones a^2 = R d; softer than the solid by
+/// far, they make it far too wide. With the solid's elastic constants it is that which the spring's force F
+/// makes on the solid, Hertz (1882): a^3 = 3 F R / (4 E*), 1/E* = 2 (1 - nu^2)/E.
 struct ConductionLaw {
   explicit ConductionLaw(const Scene& scene);  // with heat
 
@@ -52,8 +52,9 @@ struct ConductionLaw {
     return 4.0 * conductivity * contactRadius(overlap, radius);
   }
 
-  double conductivity;  // W/(m K)
-  double hertz = 0.0;   // a^3 per overlap and R, m; 0 where the overlap is the area of contact
+  double conductivity;       // W/(m K)
+  double cubePerArea = 0.0;  // a^3 over overlap and R, m; or, where that is 0,
+  double square = 2.0;       // a^2 over overlap and R
 };
 
 }  // namespace bedmix

@@ -240,7 +240,7 @@ TEST(Heat, TouchingSpheresComeToTheirMean) {
     if (real) heatOf(scene).youngsModulus = 60e9;
     WarmBed bed(scene, centres);
     bed.findContacts();
-    const double hertz = 3.0 * (scene.contacts.stiffness * overlap) * (radius / 2.0) /
+    const double hertz = 3.0 * (*scene.contacts.stiffness * overlap) * (radius / 2.0) /
                          (4.0 * 60e9 / (2.0 * (1.0 - 0.25 * 0.25)));
     const double area = real ? std::cbrt(hertz) : std::sqrt(radius * overlap);
     const double tau = particleHeatCapacity(scene) / (2.0 * (2.0 * 1.0 * area));
@@ -250,6 +250,17 @@ TEST(Heat, TouchingSpheresComeToTheirMean) {
     EXPECT_NEAR((t[0] - t[1]) / 100.0, std::exp(-1.0), 1e-4);
     EXPECT_NEAR(t[0] + t[1], 700.0, 1e-10);
   }
+}
+
+TEST(Heat, ContactsOfHertzianSpringsAreTheirs) {
+  Scene scene;
+  scene.contacts.stiffness.reset();
+  scene.contacts.hertz.emplace();  // 10 MPa
+  heatOf(scene).conductivity = 1.0;
+  const double overlap = 2e-5, radius = 1e-3;
+  EXPECT_DOUBLE_EQ(ConductionLaw(scene).contactRadius(overlap, radius), std::sqrt(overlap * radius));
+  heatOf(scene).youngsModulus = 80e6;  // eight times as stiff: half as wide under the same force
+  EXPECT_NEAR(ConductionLaw(scene).contactRadius(overlap, radius), 0.5 * std::sqrt(overlap * radius), 1e-12);
 }
 
 TEST(Heat, SphereOnAWallComesToItsTemperature) {
