@@ -43,16 +43,17 @@ GasHeat::GasHeat(const Scene& scene, const GasSolver& gas, const std::vector<dou
   temperature_.assign(grid.cells(), heat.gas->temperature);
   coefficient_.assign(grid.cells(), 0.0);
   source_.assign(grid.cells(), 0.0);
-  change_.assign(grid.cells(), 0.0);
+  change_.assign(grid.cells() + 1, 0.0);
   rows_.resize(cells_.size());
 }
 
 GasHeat::Row GasHeat::row(const Cell& cell, double passed) const {
   const FaceLayout& layout = gas_.layout();
   const double here = temperature_[cell.index];
-  Row row{capacity_ * voidage_[cell.index] * cell.volume / passed + coefficient_[cell.index],
-          source_[cell.index] - coefficient_[cell.index] * here,
-          {}};
+  double diagonal = capacity_ * voidage_[cell.index] * cell.volume / passed + coefficient_[cell.index];
+  Row row{};
+  row.right = source_[cell.index] - coefficient_[cell.index] * here;
+  row.beyond.fill(static_cast<int>(change_.size()) - 1);
   for (std::size_t k = 0; k < cell.sides.size(); ++k) {
     const Side& side = cell.sides[k];
     const double flow =
@@ -61,40 +62,42 @@ GasHeat::Row GasHeat::row(const Cell& cell, double passed) const {
     const double conducted = conductivity_ * side.perDistance *
                              (1.0 - std::sqrt(1.0 - std::min(1.0, gas_.faceVoidage()[side.face])));
     if (side.beyond >= 0) {
-      row.beyond[k] = convected + conducted;
-      row.diagonal += row.beyond[k];
-      row.right += row.beyond[k] * (temperature_[side.beyond] - here);
+      row.beyond[k] = side.beyond;
+      row.share[k] = convected + conducted;
+      diagonal += row.share[k];
+      row.right += row.share[k] * (temperature_[side.beyond] - here);
     } else if (side.isFloor && flow > 0.0) {
-      row.diagonal += convected;
+      diagonal += convected;
       row.right += convected * (inletTemperature_ - here);
     } else if (!side.isOutlet && wallTemperature_) {
-      row.diagonal += conducted;
+      diagonal += conducted;
       row.right += conducted * (*wallTemperature_ - here);
     }
   }
+  row.perDiagonal = 1.0 / diagonal;
   return row;
 }
 
 double GasHeat::relax(std::size_t k) {
-  const Cell& cell = cells_[k];
   const Row& row = rows_[k];
   double sum = row.right;
-  for (std::size_t s = 0; s < row.beyond.size(); ++s)
-    if (cell.sides[s].beyond >= 0) sum += row.beyond[s] * change_[cell.sides[s].beyond];
-  const double was = std::exchange(change_[cell.index], sum / row.diagonal);
-  return std::abs(change_[cell.index] - was);
+  for (std::size_t s = 0; s < row.beyond.size(); ++s) sum += row.share[s] * change_[row.beyond[s]];
+  const double was = std::exchange(change_[cells_[k].index], sum * row.perDiagonal);
+  return std::abs(change_[cells_[k].index] - was);
 }
 
 // Sweeps upward, the way most of the gas goes, and back again.
 void GasHeat::solve() {
   constexpr int mostSweeps = 1000;
-  constexpr double ofTemperature = 1e-15;
+  constexpr double ofTemperature = 1e-14;
   const double small = ofTemperature * *std::max_element(temperature_.begin(), temperature_.end());
   std::fill(change_.begin(), change_.end(), 0.0);
   for (int sweep = 0; sweep < mostSweeps; ++sweep) {
     double moved = 0.0;
-    for (std::size_t k = 0; k < cells_.size(); ++k) moved = std::max(moved, relax(k));
-    for (std::size_t k = cells_.size(); k-- > 0;) moved = std::max(moved, relax(k));
+    if (sweep % 2 == 0)
+      for (std::size_t k = 0; k < cells_.size(); ++k) moved = std::max(moved, relax(k));
+    else
+      for (std::size_t k = cells_.size(); k-- > 0;) moved = std::max(moved, relax(k));
     if (moved <= small) return;
   }
 }

@@ -46,10 +46,12 @@ class GasHeat {
     double volume = 0.0;  // m3
     std::array<Side, 4> sides;
   };
-  /// The balance of a cell for its change of temperature: diagonal * x = sum of beyond * x there + right.
+  /// The balance of a cell for its change of temperature x: x = perDiagonal * (right + sum of share * x
+  /// beyond).
   struct Row {
-    double diagonal, right;
-    std::array<double, 4> beyond;
+    double perDiagonal, right;
+    std::array<double, 4> share;
+    std::array<int, 4> beyond;  // a place that stays zero where there is none
   };
   Row row(const Cell& cell, double passed) const;
   double relax(std::size_t k);
@@ -62,7 +64,7 @@ class GasHeat {
   std::vector<double> temperature_, coefficient_, source_;
   std::vector<double> voidage_;  // at the last step, per cell
   std::vector<Row> rows_;        // one a cell of cells_
-  std::vector<double> change_;   // per cell, K
+  std::vector<double> change_;   // per cell, K, and a zero
 };
 
 }  // namespace bedmix

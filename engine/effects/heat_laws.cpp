@@ -24,14 +24,20 @@ HWY_INLINE void forLanes(std::size_t n, const Body& body) {
   for (; i < n; ++i) body(single, i);
 }
 
+double rootOf(double prandtl) {
+  const hn::CappedTag<double, 1> d;
+  return hn::GetLane(power(d, hn::Set(d, prandtl), 1.0 / 3.0));
+}
+
+/// With the cubic root of the Prandtl number.
 template <class D, class V>
-HWY_INLINE V nusseltOf(D d, double prandtl, V voidage, V reynolds) {
+HWY_INLINE V nusseltOf(D d, double root, V voidage, V reynolds) {
   const auto set = [d](double x) HWY_ATTR { return hn::Set(d, x); };
-  const V root = power(d, set(prandtl), 1.0 / 3.0);
   const V still = set(7.0) + voidage * (set(5.0) * voidage - set(10.0));
   const V moving = set(1.33) + voidage * (set(1.2) * voidage - set(2.4));
-  return still * (set(1.0) + set(0.7) * power(d, reynolds, 0.2) * root) +
-         moving * power(d, reynolds, 0.7) * root;
+  const V log = log2Of(d, hn::Max(reynolds, set(1e-100)));
+  const V first = exp2Of(d, log * set(0.2)), second = exp2Of(d, log * set(0.7));
+  return still * (set(1.0) + set(0.7 * root) * first) + moving * set(root) * second;
 }
 
 /// 1 - e^-x for x >= 0.
@@ -60,18 +66,20 @@ HWY_INLINE V relaxed(D d, V x) {
 }  // namespace
 
 void gunnOf(double prandtl, std::size_t n, const double* voidage, const double* reynolds, double* nusselt) {
+  const double root = rootOf(prandtl);
   forLanes(n, [&](auto d, std::size_t i) HWY_ATTR {
-    hn::StoreU(nusseltOf(d, prandtl, hn::LoadU(d, voidage + i), hn::LoadU(d, reynolds + i)), d, nusselt + i);
+    hn::StoreU(nusseltOf(d, root, hn::LoadU(d, voidage + i), hn::LoadU(d, reynolds + i)), d, nusselt + i);
   });
 }
 
 void convectionOf(const ConvectionLaw& law, double step, const ConvectionLaw::Batch& batch,
                   double* conductance) {
+  const double root = rootOf(law.prandtl);
   forLanes(batch.size, [&](auto d, std::size_t i) HWY_ATTR {
     const auto eps = hn::LoadU(d, batch.voidage + i);
     const auto reynolds = hn::Set(d, law.reynoldsPerSlip) * eps * hn::LoadU(d, batch.slip + i);
-    const auto whole = hn::Set(d, law.conductivity) * hn::LoadU(d, batch.length + i) *
-                       nusseltOf(d, law.prandtl, eps, reynolds);
+    const auto whole =
+        hn::Set(d, law.conductivity) * hn::LoadU(d, batch.length + i) * nusseltOf(d, root, eps, reynolds);
     const auto perStep = hn::LoadU(d, batch.heatCapacity + i) * hn::Set(d, 1.0 / step);
     hn::StoreU(relaxed(d, whole / perStep) * perStep, d, conductance + i);
   });
