@@ -41,13 +41,14 @@ double bedHeight(const Frame& frame, const Scene& scene) {
   return *at + 0.5 * scene.particles.diameter;
 }
 
-double meanTemperature(const Frame& frame, const Scene& scene) {
+std::optional<double> meanTemperature(const Frame& frame, const Scene& scene) {
   double mass = 0.0, sum = 0.0;
   for (std::size_t i = 0; i < frame.size(); ++i) {
     const double m = massOf(scene, frame, i);
     mass += m;
     sum += m * static_cast<double>(frame.temperature[i]);
   }
+  if (!(mass > 0.0)) return std::nullopt;
   return sum / mass;
 }
 

@@ -6,6 +6,7 @@
 #include "engine/core/scene.h"
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace bedmix {
@@ -24,8 +25,8 @@ double pressureDrop(const Frame& frame, const GasGrid& grid);
 double bedHeight(const Frame& frame, const Scene& scene);
 
 /// Of particles by their mass, and of what leaves at the top, by its flow: mean temperatures, K. Where
-/// nothing leaves, that of the topmost cells. The frame must have temperatures.
-double meanTemperature(const Frame& frame, const Scene& scene);
+/// nothing leaves, that of the topmost cells; none without particles. The frame must have temperatures.
+std::optional<double> meanTemperature(const Frame& frame, const Scene& scene);
 double outletTemperature(const Frame& frame, const GasGrid& grid);
 /// Heat that the particles hold above what they would at heat.temperature, J.
 double particleHeat(const Frame& frame, const Scene& scene);
