@@ -24,7 +24,7 @@ double angle(const LiquidBridgeSettings& liquid) { return liquid.contactAngleDeg
 
 BridgeLaw pairBridge(const LiquidBridgeSettings& liquid) {
   const double v = liquid.volume, logV = std::log(v), theta = angle(liquid);
-  return {-1.1 * std::pow(v, -0.53), (-0.34 * logV - 0.96) * theta * theta - 0.019 * logV + 0.48,
+  return {-1.1 * std::pow(v, -0.53), (-0.034 * logV - 0.96) * theta * theta - 0.019 * logV + 0.48,
           0.0042 * logV + 0.078, (0.62 * theta + 0.99) * std::pow(v, 0.34)};
 }
 
