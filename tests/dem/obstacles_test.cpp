@@ -163,7 +163,7 @@ TEST(Segment, PushesOnceFromAllSides) {
     const Scene scene = withSegments({{0.02, 0.05, 0.06, 0.05}},
                                      thickness > 0.0 ? std::optional<double>(thickness) : std::nullopt);
     const double away = 0.0019 + 0.5 * thickness;
-    const double speed = scene.contacts.stiffness * 1e-4 / particleMass(scene) * 1e-9;
+    const double speed = normalStiffness(scene) * 1e-4 / particleMass(scene) * 1e-9;
     const double diagonal = away / std::sqrt(2.0);
     const struct {
       Vec2 centre, direction;

@@ -31,7 +31,7 @@ class Vibration : public testing::TestWithParam<Integrator> {
   double amplitude(double times) const { return times * scene_.gravity / std::pow(2.0 * pi * frequency, 2); }
   std::unique_ptr<ParticleSolver> solver(double times) {
     scene_.floor.vibration = VibrationSettings{amplitude(times), frequency};
-    const double sag = particleMass(scene_) * scene_.gravity / scene_.contacts.stiffness;
+    const double sag = particleMass(scene_) * scene_.gravity / normalStiffness(scene_);
     auto made = solverAt(scene_, {{0.01, scene_.particles.diameter / 2.0 - sag}}, bedWalls(scene_));
     made->particles().velocity[0].y = 2.0 * pi * frequency * amplitude(times);
     return made;
