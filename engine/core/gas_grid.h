@@ -24,6 +24,9 @@ struct GasGrid {
   /// Per cell, where there are obstacles, else empty: of an open cell itself, of a blocked one the nearest
   /// open cell.
   std::vector<std::int32_t> openCell;
+  /// Per cell, where there are obstacles, else empty: what is free, m3, in it and in the blocked cells that it
+  /// stands for.
+  std::vector<double> freeVolume;
 
   std::size_t cells() const { return static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows); }
   std::size_t cell(int column, int row) const {
@@ -44,6 +47,10 @@ struct GasGrid {
   }
   double dy(int row) const { return y[static_cast<std::size_t>(row) + 1] - y[static_cast<std::size_t>(row)]; }
   double volume(int column, int row) const { return dx(column) * dy(row) * thickness; }
+  /// That particles can be in whose share of the voidage is the cell's, m3.
+  double roomOf(int column, int row) const {
+    return freeVolume.empty() ? volume(column, row) : freeVolume[cell(column, row)];
+  }
 };
 
 /// The scene must have gas. Obstacles block cells whose centre lies in a circle, or that a segment with a

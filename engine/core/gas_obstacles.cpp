@@ -3,6 +3,7 @@
 
 #include "engine/core/walls.h"
 
+#include <algorithm>
 #include <array>
 #include <limits>
 #include <queue>
@@ -75,6 +76,45 @@ std::int32_t nearestOpen(const GasGrid& grid, const std::vector<std::uint8_t>& o
   return found;
 }
 
+/// Whether a point lies in a circle or in a plate with round ends.
+bool isWithin(const WallSegment& wall, Vec2 at) {
+  const Vec2 along = wall.b - wall.a, from = at - wall.a;
+  const double length2 = dot(along, along);
+  const double place = length2 > 0.0 ? std::clamp(dot(from, along) / length2, 0.0, 1.0) : 0.0;
+  const Vec2 apart = from - place * along;
+  return dot(apart, apart) < wall.radius * wall.radius;
+}
+
+/// The share of a cell that is neither within an obstacle nor below the distributor.
+double freeShare(const Scene& scene, const std::vector<WallSegment>& obstacles, Vec2 low, Vec2 high) {
+  constexpr int parts = 16;  // along each side
+  int isFree = 0;
+  for (int k = 0; k < parts * parts; ++k) {
+    const Vec2 share{(k % parts + 0.5) / parts, (k / parts + 0.5) / parts};
+    const Vec2 at{low.x + share.x * (high.x - low.x), low.y + share.y * (high.y - low.y)};
+    isFree += at.y >= floorHeight(scene, at.x) &&
+              std::none_of(obstacles.begin(), obstacles.end(),
+                           [&](const WallSegment& o) { return isWithin(o, at); });
+  }
+  return static_cast<double>(isFree) / (parts * parts);
+}
+
+/// What open cells and those they stand for hold, but no less than a tenth of an open cell.
+void findFreeVolumes(const Scene& scene, const std::vector<WallSegment>& obstacles, GasGrid& grid) {
+  constexpr double least = 0.1;
+  grid.freeVolume.assign(grid.cells(), 0.0);
+  for (int j = 0; j < grid.rows; ++j)
+    for (int i = 0; i < grid.columns; ++i)
+      grid.freeVolume[grid.openCellFor(i, j)] +=
+          grid.volume(i, j) *
+          freeShare(scene, obstacles, {grid.x[i], grid.y[j]}, {grid.x[i + 1], grid.y[j + 1]});
+  for (int j = 0; j < grid.rows; ++j)
+    for (int i = 0; i < grid.columns; ++i) {
+      double& room = grid.freeVolume[grid.cell(i, j)];
+      room = std::max(room, least * grid.volume(i, j));
+    }
+}
+
 }  // namespace
 
 void blockCells(const Scene& scene, GasGrid& grid) {
@@ -93,6 +133,7 @@ void blockCells(const Scene& scene, GasGrid& grid) {
       grid.openCell.push_back(open[cell] != 0 ? static_cast<std::int32_t>(cell)
                                               : nearestOpen(grid, open, i, j));
     }
+  findFreeVolumes(scene, obstacles, grid);
   for (int i = 0; i < grid.columns; ++i)
     if (!grid.open(i, grid.lowestRow[i])) grid.inletFlux[i] = 0.0;
 }

@@ -16,7 +16,7 @@ VoidageField::VoidageField(const Scene& scene, const GasGrid& grid, ThreadTeam& 
       atPoints_(points_.points(), 1.0),
       lowestOf_(static_cast<std::size_t>(team.size())) {
   for (int r = 0; r < grid.rows; ++r)
-    for (int c = 0; c < grid.columns; ++c) perVolume_.push_back(points_.particleVolume / grid.volume(c, r));
+    for (int c = 0; c < grid.columns; ++c) perVolume_.push_back(points_.particleVolume / grid.roomOf(c, r));
 }
 
 void VoidageField::update(const std::vector<Vec2>& position, const std::vector<double>& radii) {
