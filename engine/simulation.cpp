@@ -216,8 +216,11 @@ std::optional<std::string> Simulation::State::gasStep() {
 
 ParticleStep::Outcome Simulation::State::moveParticles(std::int64_t ticks) {
   const double length = tick(scene);
-  solver->setTime(timeOfStep(scene, step));
-  if (chosenStep) return chosenStep->advance(static_cast<double>(ticks) * length, *solver);
+  if (chosenStep) {
+    solver->setTime(timeOfStep(scene, step));
+    return chosenStep->advance(static_cast<double>(ticks) * length, *solver);
+  }
+  solver->setTime(0.0, step);
   std::optional<DemTrouble> trouble = solver->advance(ticks);
   const std::int64_t taken = trouble ? trouble->steps : ticks;
   return {taken, static_cast<double>(taken) * length, trouble};

@@ -23,6 +23,8 @@ struct Fixed {
 
 constexpr std::string_view arranged = "the bed has been arranged with it";
 constexpr std::string_view built = "the walls and the cells of the gas have been built of it";
+constexpr std::string_view filled = "the bed has been filled with them";
+constexpr std::string_view reached = "neighbours have been looked for within its range";
 constexpr std::string_view counted = "times are counted in it";
 
 /// All that is fixed; whatever else there is may change.
@@ -32,7 +34,13 @@ constexpr std::array fixedSettings{
     Fixed{"bed", built},
     Fixed{"floor", built},
     Fixed{"obstacles", built},
-    Fixed{"particles", "the bed has been filled with them"},
+    Fixed{"contacts.pairs.first", filled},
+    Fixed{"contacts.pairs.second", filled},
+    Fixed{"contacts.rolling.model", "what contacts keep from step to step is its own"},
+    Fixed{"cohesion.van_der_waals.cutoff", reached},
+    Fixed{"cohesion.liquid_bridge.volume", reached},
+    Fixed{"cohesion.liquid_bridge.contact_angle_deg", reached},
+    Fixed{"particles", filled},
     Fixed{"time.duration", "a run that is steered goes on until it is ended"},
     Fixed{"time.step", counted},
     Fixed{"time.integrator", "what contacts keep from step to step is its own"},

@@ -43,9 +43,15 @@ struct BedState {
   std::vector<Body> bodies;
   std::vector<double> spinAhead;
   SkinBudget budget;
-  double gravity;     // m/s2, downward
-  double step;        // s
-  double time = 0.0;  // s, of the particles; asked for where walls move
+  double gravity;  // m/s2, downward
+  double step;     // s
+  /// The particles' clock, which tells where walls are that move: `clockSteps` steps after `clockStart`, s.
+  /// Counted, so that a step's time does not depend on how steps are grouped.
+  double clockStart = 0.0;
+  std::int64_t clockSteps = 0;
+  double timeAfter(double steps) const {
+    return clockStart + (static_cast<double>(clockSteps) + steps) * step;
+  }
   ThreadTeam& team;
   DemSeconds seconds;
 

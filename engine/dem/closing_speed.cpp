@@ -54,7 +54,7 @@ double hardestOfBlock(const BedState& bed, const ContactBlock& block, const Spri
   double hardest2 = bed.particles.areMixed() ? hardestOfMixed(bed, block, pair, span)
                                              : hardestOfAlike(bed, block, pair, span);
   for (const ContactBlock::AtWall& w : block.walls) {
-    const WallShape shape = bed.contacts.walls()[w.wall].at(bed.time);
+    const WallShape shape = bed.contacts.walls()[w.wall].at(bed.timeAfter(0.0));
     for (std::size_t c = 0; c < w.slots.count; ++c) {
       const std::int32_t i = w.slots.first[c];
       const Body& body = bed.bodies[i];

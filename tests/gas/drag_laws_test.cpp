@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "engine/coupling/drag_laws.h"
 
-#include "engine/core/simd.h"
 #include "engine/core/power-inl.h"
+#include "engine/core/simd.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>

@@ -310,7 +310,7 @@ TEST_F(DamagedCheckpoint, AnotherSceneIsRefusedAnotherDurationIsNot) {
 
 TEST_F(DamagedCheckpoint, AnotherVersionIsRefused) {
   sound[8] ^= std::byte{0x40};
-  EXPECT_NE(refusal(sound).find("of version 67, this bedmix reads 3"), std::string::npos) << refusal(sound);
+  EXPECT_NE(refusal(sound).find("of version 68, this bedmix reads 4"), std::string::npos) << refusal(sound);
 }
 
 }  // namespace
