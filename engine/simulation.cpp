@@ -22,6 +22,7 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <utility>
 
 namespace bedmix {
 
@@ -77,7 +78,7 @@ struct CoupledGas {
 GasFrame gasFrame(const GasSolver& gas) {
   const GasFields& fields = gas.fields();
   const std::size_t cells = gas.grid().cells();
-  GasFrame out{std::vector<float>(cells, 1.0f), std::vector<float>(cells), std::vector<Vec2f>(cells)};
+  GasFrame out{std::vector<float>(cells, 1.0f), std::vector<float>(cells), std::vector<Vec2f>(cells), {}};
   for (int c : gas.layout().openCells) {
     const auto& [left, right, bottom, top] = gas.layout().cellFaces[c];
     out.voidage[c] = static_cast<float>(fields.voidage[c]);
@@ -139,7 +140,7 @@ struct Simulation::State {
   bool gasFailed = false;
 
   std::int64_t nextStretch() const;
-  void actOut();
+  void actOut(std::int64_t before);
   std::optional<std::string> gasStep();
   ParticleStep::Outcome moveParticles(std::int64_t ticks);
   std::optional<std::string> advanceParticles(std::int64_t ticks);
@@ -156,9 +157,11 @@ std::int64_t Simulation::State::nextStretch() const {
   return std::isfinite(longest) ? ticksWithin(longest, scene, step) : stepsPerFrame(scene);
 }
 
-void Simulation::State::actOut() {
-  const double length = static_cast<double>(stretch) * tick(scene);
-  for (const auto& effect : effects) effect->act(length);
+/// After a stretch of `before` ticks, with the coming one chosen.
+void Simulation::State::actOut(std::int64_t before) {
+  const double length = tick(scene);
+  for (const auto& effect : effects)
+    effect->act(static_cast<double>(before) * length, static_cast<double>(stretch) * length);
 }
 
 std::optional<std::string> Simulation::State::gasStep() {
@@ -206,7 +209,7 @@ std::optional<std::string> Simulation::State::gasStep() {
     gas->chosenStep->observe(gas->solver, r, length, static_cast<double>(before) * tick(scene));
   gas->exchange.applyForces(particles);
   clock.lap(Stage::drag);
-  actOut();
+  actOut(before);
   clock.lap(Stage::effects);
   return std::nullopt;
 }
@@ -351,8 +354,9 @@ std::optional<std::string> Simulation::advance(std::int64_t steps) {
     if (s.gas) {
       if (auto trouble = s.gasStep()) return trouble;
     } else {
-      s.stretch = s.nextStretch();
-      s.actOut();
+      StageClock clock(s.seconds);
+      s.actOut(std::exchange(s.stretch, s.nextStretch()));
+      clock.lap(Stage::effects);
     }
     s.stretchEnd = s.step + s.stretch;
   }

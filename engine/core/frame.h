@@ -11,11 +11,13 @@
 namespace bedmix {
 
 /// Gas fields of a frame, one value a cell of the scene's gas grid, row-major, bottom row first; blocked
-/// cells hold voidage 1, pressure 0 and velocity 0. Velocity is interstitial, averaged from the cell's faces.
+/// cells hold voidage 1, pressure 0, velocity 0 and the temperature that the gas began with. Velocity is
+/// interstitial, averaged from the cell's faces.
 struct GasFrame {
   std::vector<float> voidage;
-  std::vector<float> pressure;  // Pa above the outlet's
-  std::vector<Vec2f> velocity;  // m/s
+  std::vector<float> pressure;     // Pa above the outlet's
+  std::vector<Vec2f> velocity;     // m/s
+  std::vector<float> temperature;  // K; empty where the scene has no heat
 };
 
 /// The bed at one instant, and the only thing the solver, the file, the indices and the pictures exchange.
@@ -27,6 +29,7 @@ struct Frame {
   std::vector<Vec2f> position;         // m
   std::vector<Vec2f> velocity;         // m/s
   std::vector<float> angularVelocity;  // rad/s, counter-clockwise; empty where the scene has no friction
+  std::vector<float> temperature;      // K; empty where the scene has no heat
   std::vector<std::uint8_t> species;   // 1 = tracer (black), 0 = the rest (green)
   std::vector<std::int32_t> id;        // other programs' particles enter and leave: follow them by it
   /// Of particles that are not all alike; else empty.

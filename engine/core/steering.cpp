@@ -40,6 +40,8 @@ constexpr std::array fixedSettings{
     Fixed{"gas.step", counted},
     Fixed{"gas.grid", "the cells of the gas have been built of it"},
     Fixed{"sampling.interval", "frames fall on it"},
+    Fixed{"heat.temperature", "the particles have begun with it"},
+    Fixed{"heat.tracer_temperature", "the tracer has begun with it"},
 };
 
 std::string fixedText(std::string_view path) {

@@ -7,20 +7,6 @@
 
 namespace bedmix {
 
-namespace {
-
-/// Calls body(batch) for the batches of a block.
-template <class Body>
-void forBatches(Range block, const Body& body) {
-  ExchangeBatch batch;
-  for (batch.begin = block.begin; batch.begin < block.end; batch.begin += batch.size) {
-    batch.size = std::min(batchSize, block.end - batch.begin);
-    body(batch);
-  }
-}
-
-}  // namespace
-
 Exchange::Exchange(const Scene& scene, const GasSolver& gas, const VoidageField& voidage, ThreadTeam& team)
     : gas_(gas),
       voidage_(voidage),

@@ -34,6 +34,8 @@ class Exchange {
   void evaluateDrag(Particles& particles, MomentumExchange& exchange);
   /// Sets the particles' external forces from the gas as it is after its step.
   void applyForces(Particles& particles);
+  /// The loops over the particles, with the gas velocity that one of these two has seen last.
+  ExchangeKernel kernel(Particles& particles) const;
 
  private:
   /// Weights of the two faces of a cell in its pressure gradient along one axis: their mean; at a boundary
@@ -45,7 +47,6 @@ class Exchange {
   void copyVelocity(Range points);
   void copyPressure(Range rows);
   void findGradient(Range columns);
-  ExchangeKernel kernel(Particles& particles) const;
   void addToFaces(Range columns, MomentumExchange& exchange) const;
 
   const GasSolver& gas_;

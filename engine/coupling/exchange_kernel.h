@@ -5,6 +5,8 @@
 #include "engine/coupling/coupling_grid.h"
 #include "engine/coupling/point_box.h"
 
+#include <algorithm>
+
 namespace bedmix {
 
 /// What a batch of particles gives to the faces at a point: drag on the gas = source - coefficient *
@@ -26,6 +28,16 @@ struct ExchangeBatch {
   /// function of voidage and Reynolds number over the square of the diameter.
   alignas(64) double drag[batchSize];
 };
+
+/// Calls body(batch) for the batches of a block.
+template <class Body>
+void forBatches(Range block, const Body& body) {
+  ExchangeBatch batch;
+  for (batch.begin = block.begin; batch.begin < block.end; batch.begin += batch.size) {
+    batch.size = std::min(batchSize, block.end - batch.begin);
+    body(batch);
+  }
+}
 
 /// The loops over the particles of a batch, in vectors.
 struct ExchangeKernel {

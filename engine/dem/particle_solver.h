@@ -51,6 +51,8 @@ class ParticleSolver {
   /// order in memory changes from call to call.
   Particles& particles() { return bed_.particles; }
   const Particles& particles() const { return bed_.particles; }
+  /// Who may touch whom, by places in memory; from the first advance() on.
+  const ContactList& contacts() const { return bed_.contacts; }
 
   /// Deepest contact since the start, of the smallest diameter, and the id of one whose it was (-1 without
   /// any).

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "engine/effects/effect_stage.h"
 
+#include "engine/effects/heat_stage.h"
+
 #include <array>
 
 namespace bedmix {
@@ -10,7 +12,9 @@ namespace {
 using Make = std::unique_ptr<EffectStage> (*)(const EffectContext&);
 
 /// Each makes its stage, or none where the scene does not have its table.
-constexpr std::array<Make, 0> makers{};
+constexpr std::array<Make, 1> makers{
+    HeatStage::make,
+};
 
 }  // namespace
 

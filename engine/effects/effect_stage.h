@@ -39,8 +39,9 @@ class EffectStage {
   virtual double longestStep() const { return std::numeric_limits<double>::infinity(); }
   /// Adds what the gas gets in the step (s) that comes to what it gets by drag.
   virtual void chargeGas([[maybe_unused]] double step, [[maybe_unused]] MomentumExchange& exchange) {}
-  /// After the gas has taken the step and the particles know what it does to them: what else happens to them.
-  virtual void act(double step) = 0;
+  /// After the gas has taken the step and the particles know what it does to them: what has happened to them
+  /// since the last call, `passed` s ago, and what will in the `step` (s) to the next.
+  virtual void act(double passed, double step) = 0;
 
   virtual void fill([[maybe_unused]] Frame& frame) const {}
   virtual void hashInto([[maybe_unused]] StateHash& hash) const {}
@@ -49,7 +50,8 @@ class EffectStage {
   [[nodiscard]] virtual bool load([[maybe_unused]] StateReader& in) { return true; }
 };
 
-/// Those that the scene calls for, in the order in which they act. The context must outlive them.
+/// Those that the scene calls for, in the order in which they act. What the context refers to must outlive
+/// them.
 std::vector<std::unique_ptr<EffectStage>> effectStages(const EffectContext& context);
 
 }  // namespace bedmix

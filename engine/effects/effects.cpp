@@ -57,6 +57,11 @@ std::string cohesionNote(const Scene& scene) {
   return fmt::format("{}, up to gaps of {:.3g} m", law, cohesionRange(scene));
 }
 
+bool hasHeat(const Scene& scene) { return scene.effects.find<HeatSettings>() != nullptr; }
+std::string heatNoteOrNone(const Scene& scene) {
+  return hasHeat(scene) ? heatNote(scene) : "no table [heat]";
+}
+
 constexpr std::array table{
     EffectInfo{"particles.size", "sizes", [](const Scene& s) { return s.particles.size.has_value(); },
                mixedNote},
@@ -67,6 +72,7 @@ constexpr std::array table{
     EffectInfo{"contacts.friction", "friction", hasFriction, frictionNote},
     EffectInfo{"contacts.rolling", "rolling resistance", hasRolling, rollingNote},
     EffectInfo{"cohesion", "cohesion", hasCohesion, cohesionNote},
+    EffectInfo{"heat", "heat", hasHeat, heatNoteOrNone},
 };
 
 }  // namespace

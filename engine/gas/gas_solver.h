@@ -36,6 +36,8 @@ class GasSolver {
   const GasGrid& grid() const { return grid_; }
   const FaceLayout& layout() const { return layout_; }
   const GasFields& fields() const { return fields_; }
+  /// Of each face, at the last step: times area and velocity the flow that satisfies continuity.
+  const std::vector<double>& faceVoidage() const { return faceVoidage_; }
   MomentumExchange& exchange() { return exchange_; }
   const MomentumExchange& exchange() const { return exchange_; }
 

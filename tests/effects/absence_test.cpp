@@ -55,6 +55,8 @@ TEST(Absence, KeepsNothingOfEffectsThatAreOff) {
   EXPECT_EQ(perParticle([](Scene& s) { s.contacts.friction.emplace(); }), plain + 8.0);  // spin
   const auto gas = [](Scene& s) { s.gas = test::lowScene(1, 1.0).gas; };
   EXPECT_EQ(perParticle(gas), plain + 16.0 + 8.0 + 16.0);  // force, drag, where it was foreseen
+  EXPECT_EQ(perParticle([](Scene& s) { s.effects.at<HeatSettings>().emplace().heatCapacity = 840.0; }),
+            plain + 8.0);  // temperature
   // Contacts that differ have no state of their own.
   EXPECT_EQ(perParticle([](Scene& s) {
               s.contacts.hertz.emplace();
@@ -77,6 +79,7 @@ TEST(Absence, FramesAndFilesHaveNoColumnsOfEffectsThatAreOff) {
   const Case cases[] = {
       {layout::angularVelocity, [](Scene& s) { s.contacts.friction.emplace(); }},
       {layout::gas, [](Scene& s) { s.gas = test::lowScene(1, 1.0).gas; }},
+      {layout::temperature, [](Scene& s) { s.effects.at<HeatSettings>().emplace().heatCapacity = 840.0; }},
       {layout::radius,
        [](Scene& s) {
          s.particles.size.emplace();
@@ -109,7 +112,8 @@ TEST(Absence, FramesAndFilesHaveNoColumnsOfEffectsThatAreOff) {
   }
   const FramePtr frame = test::simulate(plainScene(20)).frame();
   EXPECT_FALSE(frame->hasGas());
-  EXPECT_TRUE(frame->angularVelocity.empty() && frame->radius.empty() && frame->kind.empty());
+  EXPECT_TRUE(frame->angularVelocity.empty() && frame->temperature.empty() && frame->radius.empty() &&
+              frame->kind.empty());
 }
 
 /// The paper's case A to the bit, on any machine: no effect that is added to the program may change it. Where
