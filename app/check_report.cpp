@@ -218,7 +218,9 @@ class Report {
     section_ = "sizes";
     const double particles = static_cast<double>(scene_.particles.count);
     const double cells = scene_.gas ? static_cast<double>(makeGasGrid(scene_).cells()) : 0.0;
-    const double frameBytes = particles * (scene_.contacts.friction ? 20.0 : 16.0) + cells * 16.0;
+    const double heat = scene_.effects.find<HeatSettings>() ? 4.0 : 0.0;
+    const double frameBytes =
+        particles * ((scene_.contacts.friction ? 20.0 : 16.0) + heat) + cells * (16.0 + heat);
     const double frames =
         std::floor(static_cast<double>(totalSteps(scene_)) / static_cast<double>(stepsPerFrame(scene_))) +
         1.0;

@@ -25,6 +25,7 @@ Result<Series> openSeries(const RunFolder& folder, const Scene& scene) {
   keep(MixingLog::create(folder.mixing(), samplingGrid(scene)), series, problems);
   if (scene.flux) keep(FluxLog::create(folder.flux(), scene), series, problems);
   if (scene.gas) keep(PressureLog::create(folder.pressure(), scene), series, problems);
+  if (scene.effects.find<HeatSettings>()) keep(HeatLog::create(folder.heat(), scene), series, problems);
   if (!problems.empty()) return problems;
   return series;
 }
@@ -34,6 +35,7 @@ std::vector<std::string> seriesNames(const Scene& scene) {
   std::vector<std::string> names{files.mixing().stem()};
   if (scene.flux) names.push_back(files.flux().stem());
   if (scene.gas) names.push_back(files.pressure().stem());
+  if (scene.effects.find<HeatSettings>()) names.push_back(files.heat().stem());
   return names;
 }
 

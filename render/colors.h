@@ -51,5 +51,7 @@ Rgba cividis(double t);
 /// Colour of t in [-1, 1] (clamped), blue over grey to red, for what has a sign: Moreland (2009), Diverging
 /// color maps for scientific visualization, with a middle of lightness 80 that shows on white. In 256 steps.
 Rgba coolWarm(double t);
+/// The same for t in [0, 1], cold to warm.
+inline Rgba warmth(double t) { return coolWarm(2.0 * t - 1.0); }
 
 }  // namespace bedmix

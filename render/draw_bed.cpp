@@ -22,7 +22,7 @@ void drawBed(DrawList& list, const Scene& scene, const Frame& frame, const Camer
   const Palette palette = paletteOn(style.ground);
   const BedView view{scene, frame, camera, style, palette, em};
   const auto shows = [&](Layer layer) { return style.layers.has(layer); };
-  for (const Layer field : {Layer::voidage, Layer::pressure, Layer::gasSpeed})
+  for (const Layer field : fieldLayers)
     if (shows(field)) drawField(list, view, field);
   if (shows(Layer::bubbles)) drawBubbles(list, view);
   if (shows(Layer::particles)) drawParticles(list, view, history);

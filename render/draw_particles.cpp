@@ -22,7 +22,8 @@ std::size_t stretchOf(const std::vector<double>& faces, float at) {
 template <class ColorOf>
 void addDiscs(DrawList& list, const BedView& view, const ColorOf& colorOf) {
   const Layers layers = view.style.layers;
-  const bool rim = layers.has(Layer::voidage) || layers.has(Layer::pressure) || layers.has(Layer::gasSpeed);
+  const bool rim =
+      std::any_of(fieldLayers.begin(), fieldLayers.end(), [&](Layer l) { return layers.has(l); });
   const float ofAll = view.camera.length(0.5 * view.scene.particles.diameter);
   const std::vector<float>& radii = view.frame.radius;
   for (std::size_t i = 0; i < view.frame.size(); ++i) {
@@ -77,6 +78,10 @@ void drawParticles(DrawList& list, const BedView& view, const History& history) 
         return classColor(view.palette, kinds - 1 - (frame.kind.empty() ? 0 : frame.kind[i]), kinds);
       });
     }
+    case ParticleColor::temperature:
+      return addDiscs(list, view, [&](std::size_t i) {
+        return warmth(range.share(static_cast<double>(frame.temperature[i])));
+      });
     case ParticleColor::id:
       return addDiscs(list, view, [&](std::size_t i) { return mapped(frame.id[i]); });
     case ParticleColor::height:

@@ -44,7 +44,12 @@ std::vector<Diagnostic> missingFor(const Scene& scene, const Frame& frame, const
       for (const std::string& use : uses)
         lacks(fmt::format("{} needs the gas in {} cells, but there are {} in the frame", use, cells,
                           gas.voidage.size()));
+    if (style.layers.has(Layer::gasTemperature) && gas.temperature.size() != cells)
+      lacks("the layer 'gas-temperature' needs temperatures of the gas, but there are none in the frame");
   }
+  if (style.layers.has(Layer::particles) && needsHeat(style.color) &&
+      frame.temperature.size() != frame.size())
+    lacks("the colour 'temperature' needs temperatures, but there are none in the frame");
   if (style.layers.has(Layer::particles) && style.color == ParticleColor::spin &&
       frame.angularVelocity.size() != frame.size())
     lacks("the colour 'spin' needs angular velocities, but there are none in the frame");

@@ -4,6 +4,7 @@
 #include "engine/core/mixing.h"
 #include "engine/core/particle_list.h"
 #include "render/draw_bubbles.h"
+#include "render/draw_fields.h"
 #include "render/draw_forces.h"
 #include "render/draw_particles.h"
 #include "render/draw_sampling.h"
@@ -102,6 +103,8 @@ void drawParticleColors(Column& column, const Scene& scene, const Style& style, 
       return column.colorBar("spin, rad/s", range, [](double t) { return coolWarm(2.0 * t - 1.0); });
     case ParticleColor::voidage:
       return column.colorBar("voidage there", range, disc);
+    case ParticleColor::temperature:
+      return column.colorBar("particles, K", range, warmth);
     case ParticleColor::id:
       return column.colorBar("particle", range, disc);
     case ParticleColor::kind: {
@@ -124,8 +127,8 @@ void drawParticleColors(Column& column, const Scene& scene, const Style& style, 
 
 int legendRows(const Style& style) {
   int rows = 0;
-  for (const Layer layer :
-       {Layer::particles, Layer::voidage, Layer::pressure, Layer::gasSpeed, Layer::counts})
+  for (const Layer layer : {Layer::particles, Layer::voidage, Layer::pressure, Layer::gasSpeed,
+                            Layer::gasTemperature, Layer::counts})
     rows += 2 * style.layers.has(layer);
   for (const Layer layer : {Layer::bubbles, Layer::trails, Layer::forces, Layer::sampling, Layer::velocity,
                             Layer::flow, Layer::gas, Layer::streamlines})
@@ -145,7 +148,8 @@ void drawLegend(DrawList& list, Vec2f at, const Scene& scene, const Style& style
     column.arrow(fmt::format("{} {:g} m/s", what, speed), static_cast<float>(speed) * pxPerSpeed, color);
   };
   const auto field = [&](Layer layer, const char* title) {
-    if (shows(layer)) column.colorBar(title, colorRange(scene, layer), cividis);
+    if (shows(layer))
+      column.colorBar(title, colorRange(scene, layer), [&](double t) { return fieldColor(layer, t); });
   };
   if (shows(Layer::particles)) drawParticleColors(column, scene, style, palette);
   if (shows(Layer::trails))
@@ -173,6 +177,7 @@ void drawLegend(DrawList& list, Vec2f at, const Scene& scene, const Style& style
   field(Layer::pressure, "pressure, Pa");
   field(Layer::voidage, "voidage");
   field(Layer::gasSpeed, "gas speed, m/s");
+  field(Layer::gasTemperature, "gas, K");
 }
 
 }  // namespace bedmix

@@ -25,12 +25,15 @@ constexpr std::array mixingColumns{PlotColumn{"lacey", "Lacey"}, PlotColumn{"ash
 constexpr std::array compareColumns{PlotColumn{"ashton", "Ashton"}};
 constexpr std::array fluxColumns{PlotColumn{"flux", "solids flux"}};
 constexpr std::array pressureColumns{PlotColumn{"pressure_drop", "pressure drop"}};
+constexpr std::array heatColumns{PlotColumn{"particle_temperature", "particles"},
+                                 PlotColumn{"outlet_temperature", "gas at the outlet"}};
 
 const std::array kinds{
     PlotKind{"mixing", "mixing.csv", mixingColumns, "mixing index", -0.1, 1.3},
     PlotKind{"compare", "mixing.csv", compareColumns, "Ashton index", -0.1, 1.3},
     PlotKind{"flux", "flux.csv", fluxColumns, "solids flux leftward, kg/(m\u00b2 s)"},
     PlotKind{"pressure", "pressure.csv", pressureColumns, "pressure drop, Pa"},
+    PlotKind{"heat", "heat.csv", heatColumns, "temperature, K"},
 };
 
 /// As a field of a table, quoted where it has to be.

@@ -17,6 +17,22 @@ double typicalSpeed(const Scene& scene) {
   return speed > 0.0 ? speed : 1.0;
 }
 
+/// Between the coldest and the warmest that the scene begins with or lets in, which nothing leaves, K.
+ColorRange temperatureRange(const Scene& scene) {
+  const HeatSettings& heat = *scene.effects.find<HeatSettings>();
+  ColorRange range{heat.temperature, heat.temperature};
+  const auto include = [&](double temperature) {
+    range = {std::min(range.low, temperature), std::max(range.high, temperature)};
+  };
+  for (const auto& one : {heat.tracerTemperature, heat.wallTemperature})
+    if (one) include(*one);
+  if (heat.gas) {
+    include(heat.gas->temperature);
+    include(heat.inletTemperature());
+  }
+  return range.high > range.low ? range : ColorRange{range.low - 1.0, range.high + 1.0};
+}
+
 }  // namespace
 
 double meanInflow(const Scene& scene) {
@@ -32,6 +48,7 @@ ColorRange colorRange(const Scene& scene, Layer field) {
     for (const Inlet& inlet : scene.gas->inlets) speed = std::max(speed, inletVelocity(scene, inlet));
     return {0.0, speed > 0.0 ? roundUp(speed) : 1.0};
   }
+  if (field == Layer::gasTemperature) return temperatureRange(scene);
   const double pressure = bedWeight(scene);
   return {0.0, pressure > 0.0 ? 2.0 * roundDown(pressure) : 1.0};
 }
@@ -39,6 +56,7 @@ ColorRange colorRange(const Scene& scene, Layer field) {
 ColorRange colorRange(const Scene& scene, ParticleColor color) {
   if (color == ParticleColor::speed) return {0.0, roundUp(1.2 * typicalSpeed(scene))};
   if (color == ParticleColor::voidage) return colorRange(scene, Layer::voidage);
+  if (color == ParticleColor::temperature) return temperatureRange(scene);
   if (color == ParticleColor::id)
     return {0.0, static_cast<double>(std::max<std::int64_t>(scene.particles.count - 1, 1))};
   if (color != ParticleColor::spin) return {};

@@ -18,10 +18,12 @@ struct ColorRange {
   double share(double value) const { return (value - low) / (high - low); }
 };
 /// Of a layer that colours gas cells: voidage (packed to empty), pressure (Pa, 0 to somewhat more than the
-/// bed's weight per area), gas speed (m/s, 0 to somewhat more than through inlets and packed bed).
+/// bed's weight per area), gas speed (m/s, 0 to somewhat more than through inlets and packed bed),
+/// temperature (K, as of the particles).
 ColorRange colorRange(const Scene& scene, Layer field);
 /// Of the particles: speed (m/s, 0 to somewhat more than sqrt(g width)), spin (rad/s, even
-/// about 0), voidage, id, or the share of the way through the classes.
+/// about 0), voidage, temperature (K, between all that the scene names), id, or the share of the way through
+/// the classes.
 ColorRange colorRange(const Scene& scene, ParticleColor color);
 
 /// How long the arrows of velocity, flow or gas are in the bed: metres per m/s.

@@ -92,12 +92,15 @@ void fill(Frame& frame, const RunPreamble& run, std::size_t index, const float* 
   take(numbers, n, frame.position);
   take(numbers, n, frame.velocity);
   if (run.scene.contacts.friction) take(numbers, n, frame.angularVelocity);
+  const bool heat = run.scene.effects.find<HeatSettings>() != nullptr;
+  if (heat) take(numbers, n, frame.temperature);
   if (run.scene.gas) {
     const GasGrid grid = makeGasGrid(run.scene);
     const auto cells = static_cast<std::size_t>(grid.rows) * static_cast<std::size_t>(grid.columns);
     take(numbers, cells, frame.gas.voidage);
     take(numbers, cells, frame.gas.pressure);
     take(numbers, cells, frame.gas.velocity);
+    if (heat) take(numbers, cells, frame.gas.temperature);
   }
 }
 

@@ -38,4 +38,17 @@ std::optional<Diagnostic> PressureLog::write(const Frame& frame) {
   return csv_.row({frame.time, pressureDrop(frame, grid_), bedHeight(frame, scene_)});
 }
 
+Result<HeatLog> HeatLog::create(const std::filesystem::path& path, const Scene& scene) {
+  Result<CsvWriter> csv =
+      CsvWriter::create(path, "time,particle_temperature,outlet_temperature,particle_heat");
+  if (!csv) return csv.problems;
+  return HeatLog(std::move(*csv), scene);
+}
+
+std::optional<Diagnostic> HeatLog::write(const Frame& frame) {
+  std::optional<double> outlet;
+  if (grid_) outlet = outletTemperature(frame, *grid_);
+  return csv_.row({frame.time, meanTemperature(frame, scene_), outlet, particleHeat(frame, scene_)});
+}
+
 }  // namespace bedmix

@@ -56,4 +56,21 @@ class PressureLog final : public FileSink {
   GasGrid grid_;
 };
 
+/// heat.csv: mean temperature of the particles and of the gas that leaves, K, the latter empty without gas,
+/// and heat of the particles, J, see particleHeat(). The scene must have heat.
+class HeatLog final : public FileSink {
+ public:
+  static Result<HeatLog> create(const std::filesystem::path& path, const Scene& scene);
+
+ private:
+  HeatLog(CsvWriter csv, const Scene& scene) : csv_(std::move(csv)), scene_(scene) {
+    if (scene.gas) grid_ = makeGasGrid(scene);
+  }
+  std::optional<Diagnostic> write(const Frame& frame) override;
+
+  CsvWriter csv_;
+  Scene scene_;
+  std::optional<GasGrid> grid_;
+};
+
 }  // namespace bedmix

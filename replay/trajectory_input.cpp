@@ -82,10 +82,12 @@ SceneText readSceneText(const Hdf5Input& in) {
 
 std::size_t numbersPerFrame(const Scene& scene) {
   const auto particles = static_cast<std::size_t>(scene.particles.count);
-  const std::size_t ofParticles = particles * (scene.contacts.friction ? 5 : 4);
+  const bool heat = scene.effects.find<HeatSettings>() != nullptr;
+  const std::size_t ofParticles = particles * (4 + (scene.contacts.friction ? 1 : 0) + (heat ? 1 : 0));
   if (!scene.gas) return ofParticles;
   const GasGrid grid = makeGasGrid(scene);
-  return ofParticles + 4 * static_cast<std::size_t>(grid.rows) * static_cast<std::size_t>(grid.columns);
+  return ofParticles +
+         (heat ? 5 : 4) * static_cast<std::size_t>(grid.rows) * static_cast<std::size_t>(grid.columns);
 }
 
 TrajectoryInput::TrajectoryInput(const Hdf5Input& in, const Scene& scene)
@@ -95,6 +97,8 @@ TrajectoryInput::TrajectoryInput(const Hdf5Input& in, const Scene& scene)
       velocity_(in.series(valueOf(layout::velocity), {particles_, 2})) {
   if (scene.contacts.friction)
     angularVelocity_.emplace(in.series(valueOf(layout::angularVelocity), {particles_}));
+  if (scene.effects.find<HeatSettings>())
+    temperature_.emplace(in.series(valueOf(layout::temperature), {particles_}));
   if (scene.gas) gas_.emplace(openGas(in, scene));
   readTimes();
   readSpecies();
@@ -106,17 +110,23 @@ TrajectoryInput::TrajectoryInput(const Hdf5Input& in, const Scene& scene)
 TrajectoryInput::GasSeries TrajectoryInput::openGas(const Hdf5Input& in, const Scene& scene) {
   const GasGrid grid = makeGasGrid(scene);
   const auto rows = static_cast<hsize_t>(grid.rows), columns = static_cast<hsize_t>(grid.columns);
-  return {in.series(valueOf(layout::voidage), {rows, columns}),
-          in.series(valueOf(layout::pressure), {rows, columns}),
-          in.series(valueOf(layout::gasVelocity), {rows, columns, 2})};
+  GasSeries series{in.series(valueOf(layout::voidage), {rows, columns}),
+                   in.series(valueOf(layout::pressure), {rows, columns}),
+                   in.series(valueOf(layout::gasVelocity), {rows, columns, 2}),
+                   {}};
+  if (scene.effects.find<HeatSettings>())
+    series.temperature.emplace(in.series(valueOf(layout::gasTemperature), {rows, columns}));
+  return series;
 }
 
 void TrajectoryInput::readTimes() {
   const Hdf5Values step = in_.series(layout::position + std::string("/step"), {});
   const Hdf5Values time = in_.series(layout::position + std::string("/time"), {});
   hsize_t frames = std::min({step.rows(), time.rows(), position_.rows(), velocity_.rows()});
-  if (angularVelocity_) frames = std::min(frames, angularVelocity_->rows());
+  for (const auto* series : {&angularVelocity_, &temperature_})
+    if (*series) frames = std::min(frames, (*series)->rows());
   if (gas_) frames = std::min({frames, gas_->voidage.rows(), gas_->pressure.rows(), gas_->velocity.rows()});
+  if (gas_ && gas_->temperature) frames = std::min(frames, gas_->temperature->rows());
   if (frames == 0) throw Hdf5Error("holds no whole frame: its run ended before the first was written");
   constants_.recorded = frames;
   std::vector<std::int64_t>& steps = constants_.steps;
@@ -186,10 +196,12 @@ void TrajectoryInput::readKinds(const Scene& scene) {
 void TrajectoryInput::readFrame(std::size_t index, float* into) const {
   into = readFloats(position_, index, into);
   into = readFloats(velocity_, index, into);
-  if (angularVelocity_) into = readFloats(*angularVelocity_, index, into);
-  if (gas_)
-    for (const Hdf5Values* field : {&gas_->voidage, &gas_->pressure, &gas_->velocity})
-      into = readFloats(*field, index, into);
+  for (const auto* series : {&angularVelocity_, &temperature_})
+    if (*series) into = readFloats(**series, index, into);
+  if (!gas_) return;
+  for (const Hdf5Values* field : {&gas_->voidage, &gas_->pressure, &gas_->velocity})
+    into = readFloats(*field, index, into);
+  if (gas_->temperature) readFloats(*gas_->temperature, index, into);
 }
 
 std::vector<std::byte> TrajectoryInput::checkpoint(std::size_t slot) const {

@@ -53,6 +53,7 @@ class TrajectoryInput {
  private:
   struct GasSeries {
     Hdf5Values voidage, pressure, velocity;
+    std::optional<Hdf5Values> temperature;
   };
   static GasSeries openGas(const Hdf5Input& in, const Scene& scene);
   void readTimes();
@@ -63,7 +64,7 @@ class TrajectoryInput {
   const Hdf5Input& in_;
   hsize_t particles_;
   Hdf5Values position_, velocity_;
-  std::optional<Hdf5Values> angularVelocity_;
+  std::optional<Hdf5Values> angularVelocity_, temperature_;
   std::optional<GasSeries> gas_;
   RunConstants constants_;
 };

@@ -13,6 +13,7 @@
 //   particles/all/position       value[T][N][2] float, m
 //   particles/all/velocity       value[T][N][2] float, m/s
 //   particles/all/angular_velocity  value[T][N] float, rad/s; only with friction
+//   particles/all/temperature    value[T][N] float, K; only with heat
 //   particles/all/species        [N], 1 = tracer
 //   particles/all/id             [N]
 //   particles/all/radius         [N] float, m; only where particles differ, like kind
@@ -29,6 +30,7 @@
 //   bedmix/gas/voidage           value[T][rows][columns] float
 //   bedmix/gas/pressure          value[T][rows][columns] float, Pa above the outlet's
 //   bedmix/gas/gas_velocity      value[T][rows][columns][2] float, m/s, interstitial
+//   bedmix/gas/temperature       value[T][rows][columns] float, K; only with heat
 
 namespace bedmix::layout {
 
@@ -39,6 +41,7 @@ inline constexpr const char* box = "particles/all/box";
 inline constexpr const char* position = "particles/all/position";
 inline constexpr const char* velocity = "particles/all/velocity";
 inline constexpr const char* angularVelocity = "particles/all/angular_velocity";
+inline constexpr const char* temperature = "particles/all/temperature";
 inline constexpr const char* species = "particles/all/species";
 inline constexpr const char* id = "particles/all/id";
 inline constexpr const char* radius = "particles/all/radius";
@@ -65,5 +68,6 @@ inline constexpr const char* gasY = "bedmix/gas/y";
 inline constexpr const char* voidage = "bedmix/gas/voidage";
 inline constexpr const char* pressure = "bedmix/gas/pressure";
 inline constexpr const char* gasVelocity = "bedmix/gas/gas_velocity";
+inline constexpr const char* gasTemperature = "bedmix/gas/temperature";
 
 }  // namespace bedmix::layout

@@ -160,6 +160,8 @@ struct TrajectoryWriter::State {
     add<float>(layout::velocity, {n, 2}, [](const Frame& f) { return bytes(f.velocity); });
     if (scene.contacts.friction)
       add<float>(layout::angularVelocity, {n}, [](const Frame& f) { return bytes(f.angularVelocity); });
+    if (scene.effects.find<HeatSettings>())
+      add<float>(layout::temperature, {n}, [](const Frame& f) { return bytes(f.temperature); });
   }
 
   void addObservables() {
@@ -179,6 +181,9 @@ struct TrajectoryWriter::State {
     add<float>(layout::voidage, {rows, columns}, [](const Frame& f) { return bytes(f.gas.voidage); });
     add<float>(layout::pressure, {rows, columns}, [](const Frame& f) { return bytes(f.gas.pressure); });
     add<float>(layout::gasVelocity, {rows, columns, 2}, [](const Frame& f) { return bytes(f.gas.velocity); });
+    if (scene.effects.find<HeatSettings>())
+      add<float>(layout::gasTemperature, {rows, columns},
+                 [](const Frame& f) { return bytes(f.gas.temperature); });
   }
 
   void addCheckpoints() {

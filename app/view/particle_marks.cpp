@@ -60,6 +60,8 @@ std::vector<PanelFact> particleFacts(const ViewBed& bed, std::int32_t id) {
   facts.push_back({"speed", fmt::format("{:.3f} m/s", std::hypot(v.x, v.y))});
   if (!frame.angularVelocity.empty())
     facts.push_back({"spin", fmt::format("{:.3g} rad/s", frame.angularVelocity[*row])});
+  if (!frame.temperature.empty())
+    facts.push_back({"temperature", fmt::format("{:.1f} K", frame.temperature[*row])});
   return facts;
 }
 

@@ -41,6 +41,39 @@ double bedHeight(const Frame& frame, const Scene& scene) {
   return *at + 0.5 * scene.particles.diameter;
 }
 
+std::optional<double> meanTemperature(const Frame& frame, const Scene& scene) {
+  double mass = 0.0, sum = 0.0;
+  for (std::size_t i = 0; i < frame.size(); ++i) {
+    const double m = massOf(scene, frame, i);
+    mass += m;
+    sum += m * static_cast<double>(frame.temperature[i]);
+  }
+  if (!(mass > 0.0)) return std::nullopt;
+  return sum / mass;
+}
+
+double outletTemperature(const Frame& frame, const GasGrid& grid) {
+  double flow = 0.0, carried = 0.0, width = 0.0, sum = 0.0;
+  for (int c = 0; c < grid.columns; ++c) {
+    const std::size_t cell = grid.cell(c, grid.rows - 1);
+    const double up = static_cast<double>(frame.gas.voidage[cell] * frame.gas.velocity[cell].y),
+                 temperature = static_cast<double>(frame.gas.temperature[cell]);
+    flow += grid.dx(c) * std::max(up, 0.0);
+    carried += grid.dx(c) * std::max(up, 0.0) * temperature;
+    width += grid.dx(c);
+    sum += grid.dx(c) * temperature;
+  }
+  return flow > 0.0 ? carried / flow : sum / width;
+}
+
+double particleHeat(const Frame& frame, const Scene& scene) {
+  const HeatSettings& heat = *scene.effects.find<HeatSettings>();
+  double sum = 0.0;
+  for (std::size_t i = 0; i < frame.size(); ++i)
+    sum += massOf(scene, frame, i) * (static_cast<double>(frame.temperature[i]) - heat.temperature);
+  return heat.heatCapacity * sum;
+}
+
 std::vector<std::uint8_t> tagTracer(TracerRule rule, const std::vector<Vec2f>& position,
                                     const std::vector<std::uint8_t>& kind, double width) {
   const std::size_t n = position.size();

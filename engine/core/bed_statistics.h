@@ -6,6 +6,7 @@
 #include "engine/core/scene.h"
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace bedmix {
@@ -22,6 +23,13 @@ double pressureDrop(const Frame& frame, const GasGrid& grid);
 /// Height of the bed, m: the 95th percentile of the centres' heights above the floor below each, plus a
 /// radius; 0 without particles.
 double bedHeight(const Frame& frame, const Scene& scene);
+
+/// Of particles by their mass, and of what leaves at the top, by its flow: mean temperatures, K. Where
+/// nothing leaves, that of the topmost cells; none without particles. The frame must have temperatures.
+std::optional<double> meanTemperature(const Frame& frame, const Scene& scene);
+double outletTemperature(const Frame& frame, const GasGrid& grid);
+/// Heat that the particles hold above what they would at heat.temperature, J.
+double particleHeat(const Frame& frame, const Scene& scene);
 
 /// Tags 1 = tracer by rule, for positions at the start. `kind` is that of Frame, and may be empty.
 std::vector<std::uint8_t> tagTracer(TracerRule rule, const std::vector<Vec2f>& position,

@@ -10,6 +10,7 @@ std::vector<Contradiction> contradictions(const Scene& scene, const PictureSetti
   const auto add = [&](const char* path, std::vector<std::string> concerns, std::string message) {
     broken.push_back({path, std::move(message), std::move(concerns)});
   };
+  const bool hasHeat = scene.effects.find<HeatSettings>() != nullptr;
   std::string_view field;
   for (std::size_t i = 0; i < modelTable<Layer>.size(); ++i) {
     const auto layer = static_cast<Layer>(i);
@@ -19,6 +20,10 @@ std::vector<Contradiction> contradictions(const Scene& scene, const PictureSetti
       add("pictures.layers", {"gas"},
           fmt::format("the layer '{}' shows the gas, but scene '{}' has none; leave the layer out", name,
                       scene.name));
+    if (needsHeat(layer) && !hasHeat)
+      add("pictures.layers", {"heat"},
+          fmt::format("the layer '{}' shows temperatures, but scene '{}' has no [heat]; leave the layer out",
+                      name, scene.name));
     if (!isField(layer)) continue;
     if (!field.empty())
       add("pictures.layers", {},
@@ -33,6 +38,11 @@ std::vector<Contradiction> contradictions(const Scene& scene, const PictureSetti
     add("pictures.color", {"contacts.friction"},
         fmt::format(
             "the colour 'spin' needs rotation, but scene '{}' has no [contacts.friction]; choose another",
+            scene.name));
+  if (needsHeat(pictures.color) && !hasHeat)
+    add("pictures.color", {"heat"},
+        fmt::format(
+            "the colour 'temperature' needs temperatures, but scene '{}' has no [heat]; choose another",
             scene.name));
   if (pictures.layers.has(Layer::trails) && pictures.trails.empty())
     add("pictures.layers", {"pictures.trails"},

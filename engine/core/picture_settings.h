@@ -15,6 +15,7 @@ enum class Layer {
   voidage,
   pressure,
   gasSpeed,
+  gasTemperature,
   bubbles,
   particles,
   trails,
@@ -31,13 +32,14 @@ enum class Layer {
 };
 
 /// What colours the particles.
-enum class ParticleColor { tracer, speed, spin, voidage, id, kind, height, strips };
+enum class ParticleColor { tracer, speed, spin, voidage, temperature, id, kind, height, strips };
 
 template <>
 inline constexpr std::array modelTable<Layer>{
     ModelInfo{"voidage", "voidage as colour of the gas cells", ""},
     ModelInfo{"pressure", "gas pressure as colour of the gas cells", ""},
     ModelInfo{"gas-speed", "speed of the gas as colour of the gas cells", ""},
+    ModelInfo{"gas-temperature", "temperature of the gas as colour of the gas cells", ""},
     ModelInfo{"bubbles", "outlines of what has more voidage than pictures.bubble_voidage", ""},
     ModelInfo{"particles", "discs", ""},
     ModelInfo{"trails", "where chosen particles have been", ""},
@@ -60,6 +62,7 @@ inline constexpr std::array modelTable<ParticleColor>{
     ModelInfo{"speed", "by speed", ""},
     ModelInfo{"spin", "by angular velocity, counter-clockwise positive", ""},
     ModelInfo{"voidage", "by the voidage at the particle", ""},
+    ModelInfo{"temperature", "by temperature", ""},
     ModelInfo{"id", "by number", ""},
     ModelInfo{"kind", "by kind of particles", ""},
     ModelInfo{"height", "in classes of the height at the start, each of as many particles", ""},
@@ -72,6 +75,7 @@ constexpr bool needsGas(Layer layer) {
     case Layer::voidage:
     case Layer::pressure:
     case Layer::gasSpeed:
+    case Layer::gasTemperature:
     case Layer::bubbles:
     case Layer::gas:
     case Layer::streamlines:
@@ -80,8 +84,13 @@ constexpr bool needsGas(Layer layer) {
       return false;
   }
 }
-/// Whether a layer colours the gas cells, which only one can.
-constexpr bool isField(Layer layer) { return layer <= Layer::gasSpeed; }
+/// Those that colour the gas cells, which only one can.
+inline constexpr std::array fieldLayers{Layer::voidage, Layer::pressure, Layer::gasSpeed,
+                                        Layer::gasTemperature};
+constexpr bool isField(Layer layer) { return layer <= Layer::gasTemperature; }
+/// Whether a layer or colour shows temperatures, and so needs heat.
+constexpr bool needsHeat(Layer layer) { return layer == Layer::gasTemperature; }
+constexpr bool needsHeat(ParticleColor color) { return color == ParticleColor::temperature; }
 /// Whether particles are coloured in classes.
 constexpr bool hasClasses(ParticleColor color) { return color >= ParticleColor::height; }
 

@@ -19,6 +19,7 @@ std::string particleRows(const Frame& frame) {
     fmt::format_to(out, "{},{},{},{},{},{},{}", frame.time, frame.id[i], frame.species[i], at.x, at.y, v.x,
                    v.y);
     if (!frame.angularVelocity.empty()) fmt::format_to(out, ",{}", frame.angularVelocity[i]);
+    if (!frame.temperature.empty()) fmt::format_to(out, ",{}", frame.temperature[i]);
     if (!frame.radius.empty()) fmt::format_to(out, ",{},{}", frame.radius[i], frame.kind[i]);
     rows += "\n";
   }
@@ -32,10 +33,13 @@ std::string gasRows(const Frame& frame, const GasGrid& grid) {
       if (!grid.open(column, row)) continue;
       const std::size_t cell = grid.cell(column, row);
       const auto [u, v] = frame.gas.velocity[cell];
-      fmt::format_to(std::back_inserter(rows), "{},{},{},{},{},{},{}\n", frame.time,
+      fmt::format_to(std::back_inserter(rows), "{},{},{},{},{},{},{}", frame.time,
                      grid.x[static_cast<std::size_t>(column)] + grid.dx(column) / 2,
                      grid.y[static_cast<std::size_t>(row)] + grid.dy(row) / 2, frame.gas.voidage[cell],
                      frame.gas.pressure[cell], u, v);
+      if (!frame.gas.temperature.empty())
+        fmt::format_to(std::back_inserter(rows), ",{}", frame.gas.temperature[cell]);
+      rows += '\n';
     }
   return rows;
 }
@@ -44,13 +48,17 @@ std::string gasRows(const Frame& frame, const GasGrid& grid) {
 
 Result<std::unique_ptr<Export>> CsvExport::open(const ExportInput& input) {
   const char* const spin = input.scene.contacts.friction ? ",omega" : "";
+  const bool heat = input.scene.effects.find<HeatSettings>() != nullptr;
+  const char* const warm = heat ? ",temperature" : "";
   const char* const size = isMixed(input.scene) ? ",radius,kind" : "";
   auto particles = GrowingFile::create(input.folder / "particles.csv",
-                                       fmt::format("time,id,species,x,y,vx,vy{}{}\n", spin, size));
+                                       fmt::format("time,id,species,x,y,vx,vy{}{}{}\n", spin, warm, size));
   if (!particles) return std::move(particles.problems);
   std::optional<Gas> gas;
   if (input.scene.gas) {
-    auto file = GrowingFile::create(input.folder / "gas.csv", "time,x,y,voidage,pressure,gas_vx,gas_vy\n");
+    auto file = GrowingFile::create(
+        input.folder / "gas.csv",
+        fmt::format("time,x,y,voidage,pressure,gas_vx,gas_vy{}\n", heat ? ",gas_temperature" : ""));
     if (!file) return std::move(file.problems);
     gas.emplace(Gas{makeGasGrid(input.scene), std::move(*file)});
   }

@@ -46,15 +46,16 @@ std::string extxyz(const Frame& frame, const Scene& scene) {
   const double depth = scene.bed.thickness;
   std::string text = fmt::format(
       "{}\nLattice=\"{} 0 0 0 {} 0 0 0 {}\" Origin=\"0 0 {}\" pbc=\"F F F\" "
-      "Properties=species:S:1:pos:R:3:velo:R:3:radius:R:1:id:I:1{} Time={}\n",
+      "Properties=species:S:1:pos:R:3:velo:R:3:radius:R:1:id:I:1{}{} Time={}\n",
       frame.size(), scene.bed.width, scene.bed.height, depth, -depth / 2, spins ? ":omega:R:1" : "",
-      frame.time);
+      frame.temperature.empty() ? "" : ":temperature:R:1", frame.time);
   const auto out = std::back_inserter(text);
   for (std::size_t i = 0; i < frame.size(); ++i) {
     const Vec2f at = frame.position[i], v = frame.velocity[i];
     fmt::format_to(out, "{} {} {} 0 {} {} 0 {} {}", frame.species[i] ? "C" : "Cl", at.x, at.y, v.x, v.y,
                    radiusOf(scene, frame, i), frame.id[i]);
     if (spins) fmt::format_to(out, " {}", frame.angularVelocity[i]);
+    if (!frame.temperature.empty()) fmt::format_to(out, " {}", frame.temperature[i]);
     text += '\n';
   }
   return text;
@@ -65,15 +66,16 @@ std::string lammps(const Frame& frame, const Scene& scene) {
   const double depth = scene.bed.thickness;
   std::string text = fmt::format(
       "ITEM: TIME\n{}\nITEM: TIMESTEP\n{}\nITEM: NUMBER OF ATOMS\n{}\n"
-      "ITEM: BOX BOUNDS ff ff ff\n0 {}\n0 {}\n{} {}\nITEM: ATOMS id type x y z vx vy vz radius{}\n",
+      "ITEM: BOX BOUNDS ff ff ff\n0 {}\n0 {}\n{} {}\nITEM: ATOMS id type x y z vx vy vz radius{}{}\n",
       frame.time, frame.step, frame.size(), scene.bed.width, scene.bed.height, -depth / 2, depth / 2,
-      spins ? " omegaz" : "");
+      spins ? " omegaz" : "", frame.temperature.empty() ? "" : " temperature");
   const auto out = std::back_inserter(text);
   for (std::size_t i = 0; i < frame.size(); ++i) {
     const Vec2f at = frame.position[i], v = frame.velocity[i];
     fmt::format_to(out, "{} {} {} {} 0 {} {} 0 {}", frame.id[i], frame.species[i] + 1, at.x, at.y, v.x, v.y,
                    radiusOf(scene, frame, i));
     if (spins) fmt::format_to(out, " {}", frame.angularVelocity[i]);
+    if (!frame.temperature.empty()) fmt::format_to(out, " {}", frame.temperature[i]);
     text += '\n';
   }
   return text;

@@ -57,6 +57,7 @@ std::string particleFile(const Frame& frame, const Scene& scene) {
   file.xml("</Verts>\n<PointData Scalars=\"species\" Vectors=\"velocity\">\n");
   file.array("velocity", all(inSpace(frame.velocity)), 3);
   if (!frame.angularVelocity.empty()) file.array("angular_velocity", all(frame.angularVelocity));
+  if (!frame.temperature.empty()) file.array("temperature", all(frame.temperature));
   file.array("species", all(frame.species));
   file.array("id", all(frame.id));
   file.array("diameter", all(diameters(frame, scene)));
@@ -88,6 +89,7 @@ std::string gasFile(const Frame& frame, const GasGrid& grid) {
   file.array("voidage", all(frame.gas.voidage));
   file.array("pressure", all(frame.gas.pressure));
   file.array("gas_velocity", all(inSpace(frame.gas.velocity)), 3);
+  if (!frame.gas.temperature.empty()) file.array("temperature", all(frame.gas.temperature));
   file.array("vtkGhostType", all(hiddenCells(grid)));
   file.xml("</CellData>\n</Piece>\n");
   return file.bytes();

@@ -76,6 +76,8 @@ std::string particleGrid(const Place& at, const Scene& scene, double time) {
   xml += attribute("velocity", "Vector", "Node", at.row(layout::velocity, {n, 2}));
   if (scene.contacts.friction)
     xml += attribute("angular_velocity", "Scalar", "Node", at.row(layout::angularVelocity, {n}));
+  if (scene.effects.find<HeatSettings>())
+    xml += attribute("temperature", "Scalar", "Node", at.row(layout::temperature, {n}));
   xml += attribute("species", "Scalar", "Node",
                    at.fixed(layout::species, "NumberType=\"UChar\" Precision=\"1\"", n));
   xml += attribute("id", "Scalar", "Node", at.fixed(layout::id, "NumberType=\"Int\" Precision=\"4\"", n));
@@ -88,7 +90,7 @@ std::string particleGrid(const Place& at, const Scene& scene, double time) {
   return xml + "</Grid>\n";
 }
 
-std::string gasGrid(const Place& at, const GasGrid& grid, double time) {
+std::string gasGrid(const Place& at, const Scene& scene, const GasGrid& grid, double time) {
   const auto rows = static_cast<std::size_t>(grid.rows), columns = static_cast<std::size_t>(grid.columns);
   const char* const face = "NumberType=\"Float\" Precision=\"8\"";
   std::string xml = fmt::format(
@@ -100,6 +102,8 @@ std::string gasGrid(const Place& at, const GasGrid& grid, double time) {
   xml += attribute("voidage", "Scalar", "Cell", at.row(layout::voidage, {rows, columns}));
   xml += attribute("pressure", "Scalar", "Cell", at.row(layout::pressure, {rows, columns}));
   xml += attribute("gas_velocity", "Vector", "Cell", at.row(layout::gasVelocity, {rows, columns, 2}));
+  if (scene.effects.find<HeatSettings>())
+    xml += attribute("temperature", "Scalar", "Cell", at.row(layout::gasTemperature, {rows, columns}));
   return xml + "</Grid>\n";
 }
 
@@ -142,7 +146,7 @@ std::optional<Diagnostic> XdmfExport::write(const Frame& frame) {
   const Place at{file_, input_.selected[next_++], input_.recorded};
   if (auto problem = particles_.append(particleGrid(at, input_.scene, frame.time))) return problem;
   if (!gas_) return std::nullopt;
-  return gas_->append(gasGrid(at, makeGasGrid(input_.scene), frame.time));
+  return gas_->append(gasGrid(at, input_.scene, makeGasGrid(input_.scene), frame.time));
 }
 
 }  // namespace bedmix

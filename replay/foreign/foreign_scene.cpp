@@ -125,6 +125,7 @@ Result<ForeignScene> foreignScene(ForeignSource& source, const ForeignFrame& fir
   if (!first.id.empty()) scene.particles.count = std::max(scene.particles.count, first.id.back() + 1);
   scene.accuracy.reset();
   scene.gas.reset();
+  scene.effects.at<HeatSettings>().reset();
   if (scene.floor.shape == FloorShape::stair) scene.floor.shape = FloorShape::straight;  // of the gas's cells
   if (first.angularVelocity.empty())
     scene.contacts.friction.reset();

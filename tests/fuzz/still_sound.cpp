@@ -22,6 +22,8 @@ void requireFinite(const Frame& frame) {
   require(std::ranges::all_of(frame.position, vector), "positions are finite");
   require(std::ranges::all_of(frame.velocity, vector), "velocities are finite");
   require(std::ranges::all_of(frame.angularVelocity, number), "spins are finite");
+  require(std::ranges::all_of(frame.temperature, number), "temperatures are finite");
+  require(std::ranges::all_of(frame.gas.temperature, number), "gas temperatures are finite");
   require(std::ranges::all_of(frame.gas.voidage, number), "voidages are finite");
   require(std::ranges::all_of(frame.gas.pressure, number), "pressures are finite");
   require(std::ranges::all_of(frame.gas.velocity, vector), "gas velocities are finite");

@@ -137,6 +137,18 @@ TEST(DrawList, FieldsHaveTheirValuesColours) {
   EXPECT_EQ(drawn(scene, frame, {Layer::pressure}).triangles[0].color, cividis(0.25));
 }
 
+TEST(DrawList, FieldOfTemperatureIsColdToWarm) {
+  Scene scene = test::flatBed();
+  HeatSettings& heat = scene.effects.at<HeatSettings>().emplace();
+  heat.temperature = 300.0;
+  heat.wallTemperature = 400.0;
+  heat.gas.emplace();
+  heat.gas->temperature = 300.0;
+  Frame frame = test::movingFrame(scene);
+  frame.gas.temperature.assign(frame.gas.voidage.size(), 400.0f);
+  EXPECT_EQ(drawn(scene, frame, {Layer::gasTemperature}).triangles[0].color, coolWarm(1.0));
+}
+
 TEST(DrawList, RoundNumbers) {
   EXPECT_DOUBLE_EQ(roundDown(0.032), 0.02);
   EXPECT_DOUBLE_EQ(roundDown(7.3), 5.0);

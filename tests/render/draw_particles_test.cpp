@@ -63,6 +63,20 @@ TEST(ParticleColors, OfVoidageAreThoseOfTheCell) {
             (std::vector{discColor(palette, 0.25), discColor(palette, 0.5)}));
 }
 
+TEST(ParticleColors, OfTemperaturesSpanAllThatTheSceneNames) {
+  Scene scene = test::flatBed();
+  HeatSettings& heat = scene.effects.at<HeatSettings>().emplace();
+  heat.temperature = 300.0;
+  heat.tracerTemperature = 400.0;
+  heat.gas.emplace();
+  heat.gas->temperature = 300.0;
+  heat.gas->inletTemperature = 500.0;
+  Frame frame = twoParticles();
+  frame.temperature = {300.0f, 450.0f};
+  EXPECT_EQ(colorsOf(scene, frame, colored(ParticleColor::temperature)),
+            (std::vector{coolWarm(-1.0), coolWarm(0.5)}));
+}
+
 TEST(ParticleColors, OfIdsAreSpreadOverTheBed) {
   Scene scene = test::flatBed();
   scene.particles.count = 2;

@@ -46,6 +46,22 @@ TEST(Layers, OfSpinNeedAngularVelocitiesInTheFrame) {
   EXPECT_NE(missing[0].message.find("needs angular velocities"), std::string::npos);
 }
 
+TEST(Layers, OfTemperatureNeedHeatAndTemperaturesInTheFrame) {
+  Scene scene = test::flatBed();
+  Frame frame = test::movingFrame(scene);
+  Style style{Layer::particles, Layer::gasTemperature};
+  style.color = ParticleColor::temperature;
+  const std::vector<Diagnostic> without = missingFor(scene, style);
+  ASSERT_EQ(without.size(), 2u);
+  for (const Diagnostic& d : without) EXPECT_NE(d.message.find("has no [heat]"), std::string::npos);
+  scene.effects.at<HeatSettings>().emplace().gas.emplace();
+  EXPECT_TRUE(missingFor(scene, style).empty());
+  EXPECT_EQ(missingFor(scene, frame, style).size(), 2u);
+  frame.temperature.assign(frame.size(), 300.0f);
+  frame.gas.temperature.assign(frame.gas.voidage.size(), 300.0f);
+  EXPECT_TRUE(missingFor(scene, frame, style).empty());
+}
+
 /// Lightness L* (CIE 1976) of a colour.
 double lightness(Rgba color) {
   const auto linear = [](std::uint8_t c) {

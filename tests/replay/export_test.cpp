@@ -98,6 +98,18 @@ TEST_F(ExportFormats, TablesReadBackToTheSameBits) {
   EXPECT_EQ(static_cast<float>(*gas->columns[6][0]), first.gas.velocity[0].y);
 }
 
+TEST_F(ExportFormats, TablesHoldTemperatures) {
+  addHeat(scene_);
+  write("csv");
+  const auto particles = readCsv(folder_ / "particles.csv"), gas = readCsv(folder_ / "gas.csv");
+  ASSERT_TRUE(particles && gas);
+  EXPECT_EQ(particles->names.back(), "temperature");
+  EXPECT_EQ(gas->names.back(), "gas_temperature");
+  const Frame first = syntheticFrame(scene_, 0);
+  EXPECT_EQ(static_cast<float>(*particles->columns.back()[0]), first.temperature[0]);
+  EXPECT_EQ(static_cast<float>(*gas->columns.back()[0]), first.gas.temperature[0]);
+}
+
 TEST_F(ExportFormats, ADumpHoldsTheFramesOfItsTimes) {
   write("lammps");
   std::istringstream text(fileText(folder_ / "particles.lammpstrj"));
@@ -135,6 +147,7 @@ TEST_F(ExportFormats, AbsentEffectsLeaveNoTrace) {
     EXPECT_FALSE(entry.path().filename().string().starts_with("gas")) << entry.path();
     EXPECT_EQ(fileText(entry.path()).find("omega"), std::string::npos) << entry.path();
     EXPECT_EQ(fileText(entry.path()).find("angular"), std::string::npos) << entry.path();
+    EXPECT_EQ(fileText(entry.path()).find("temperature"), std::string::npos) << entry.path();
   }
 }
 

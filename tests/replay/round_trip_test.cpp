@@ -9,11 +9,13 @@
 namespace bedmix::test {
 namespace {
 
-class RoundTrip : public testing::TestWithParam<std::tuple<bool, bool>> {};
+/// With gas, friction, heat.
+class RoundTrip : public testing::TestWithParam<std::tuple<bool, bool, bool>> {};
 
 TEST_P(RoundTrip, GivesBackEveryBit) {
-  const auto [gas, friction] = GetParam();
-  const Scene scene = syntheticScene(gas, friction);
+  const auto [gas, friction, heat] = GetParam();
+  Scene scene = syntheticScene(gas, friction);
+  if (heat) addHeat(scene);
   const TemporaryFolder folder;
   record(folder / "trajectory.h5", scene, 150);
 
@@ -30,7 +32,8 @@ TEST_P(RoundTrip, GivesBackEveryBit) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Effects, RoundTrip, testing::Combine(testing::Bool(), testing::Bool()));
+INSTANTIATE_TEST_SUITE_P(Effects, RoundTrip,
+                         testing::Combine(testing::Bool(), testing::Bool(), testing::Bool()));
 
 TEST(RoundTrip, ManyFramesSplitTheTreesOfChunks) {
   const Scene scene = syntheticScene(true, false, 3);

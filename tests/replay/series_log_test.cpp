@@ -83,6 +83,36 @@ TEST(PressureLog, WritesDropAndHeight) {
   EXPECT_EQ(fileText(folder / "pressure.csv"), "time,pressure_drop,bed_height\n0.02,1284.5,0.0645\n");
 }
 
+TEST(HeatLog, WritesMeansAndHeat) {
+  for (const bool gas : {true, false}) {
+    Scene scene = syntheticScene(gas, false, 4);
+    addHeat(scene);
+    Frame frame = syntheticFrame(scene, 2);
+    frame.temperature = {300.0f, 300.0f, 320.0f, 340.0f};
+    if (gas) {
+      frame.gas.temperature.assign(40, 300.0f);
+      frame.gas.voidage.assign(40, 1.0f);
+      frame.gas.velocity.assign(40, {0.0f, 1.0f});
+      // Of the topmost cells one lets three times as much out, another nothing.
+      frame.gas.temperature[36] = 400.0f;
+      frame.gas.velocity[36].y = 3.0f;
+      frame.gas.velocity[39].y = -1.0f;
+    }
+    const TemporaryFolder folder;
+    auto log = HeatLog::create(folder / "heat.csv", scene);
+    ASSERT_TRUE(log);
+    log->accept(frame);
+    const auto table = readCsv(folder / "heat.csv");
+    ASSERT_TRUE(table);
+    EXPECT_EQ(table->names, (std::vector<std::string>{"time", "particle_temperature", "outlet_temperature",
+                                                      "particle_heat"}));
+    EXPECT_DOUBLE_EQ(*table->columns[1][0], 315.0);
+    EXPECT_EQ(table->columns[2][0].has_value(), gas);
+    EXPECT_NEAR(table->columns[2][0].value_or(360.0), 360.0, 1e-9);
+    EXPECT_NEAR(*table->columns[3][0], particleMass(scene) * 840.0 * 60.0, 1e-12);
+  }
+}
+
 TEST(SeriesLogs, LiveAndReplayedAreTheSameBytes) {
   const Scene scene = syntheticScene(true, true, 500);
   const TemporaryFolder folder;

@@ -34,6 +34,14 @@ Scene syntheticScene(bool gas, bool friction, int particles) {
   return scene;
 }
 
+void addHeat(Scene& scene) {
+  HeatSettings& heat = scene.effects.at<HeatSettings>().emplace();
+  heat.heatCapacity = 840.0;
+  heat.conductivity = 1.0;
+  heat.temperature = 300.0;
+  if (scene.gas) heat.gas.emplace();
+}
+
 Frame syntheticFrame(const Scene& scene, int index) {
   Rng rng(static_cast<std::uint64_t>(index) + 1000);
   const auto draw = [&](double low, double high) { return static_cast<float>(rng.uniform(low, high)); };
@@ -44,6 +52,7 @@ Frame syntheticFrame(const Scene& scene, int index) {
     frame.position.push_back({draw(0.0, 0.048), draw(0.0, 0.12)});
     frame.velocity.push_back({draw(-2.0, 2.0), i % 7 == 0 ? -0.0f : draw(-1e-39, 1e-39)});
     if (scene.contacts.friction) frame.angularVelocity.push_back(draw(-1e3, 1e3));
+    if (scene.effects.find<HeatSettings>()) frame.temperature.push_back(draw(250.0, 900.0));
     frame.species.push_back(i % 3 == 0);
     frame.id.push_back(i);
   }
@@ -52,6 +61,7 @@ Frame syntheticFrame(const Scene& scene, int index) {
       frame.gas.voidage.push_back(draw(0.36, 1.0));
       frame.gas.pressure.push_back(draw(-10.0, 2000.0));
       frame.gas.velocity.push_back({draw(-3.0, 3.0), draw(-3.0, 9.0)});
+      if (scene.effects.find<HeatSettings>()) frame.gas.temperature.push_back(draw(250.0, 900.0));
     }
   }
   return frame;
@@ -70,7 +80,8 @@ bool sameBytes(const std::vector<T>& a, const std::vector<T>& b) {
 bool sameBits(const Frame& a, const Frame& b) {
   return a.step == b.step && std::bit_cast<std::uint64_t>(a.time) == std::bit_cast<std::uint64_t>(b.time) &&
          sameBytes(a.position, b.position) && sameBytes(a.velocity, b.velocity) &&
-         sameBytes(a.angularVelocity, b.angularVelocity) && a.species == b.species && a.id == b.id &&
+         sameBytes(a.angularVelocity, b.angularVelocity) && sameBytes(a.temperature, b.temperature) &&
+         sameBytes(a.gas.temperature, b.gas.temperature) && a.species == b.species && a.id == b.id &&
          sameBytes(a.gas.voidage, b.gas.voidage) && sameBytes(a.gas.pressure, b.gas.pressure) &&
          sameBytes(a.gas.velocity, b.gas.velocity);
 }
