@@ -19,7 +19,17 @@ struct ModelInfo {
 /// How particles are advanced in time.
 enum class Integrator { velocityVerlet, rk4, symplecticEuler, verletOnset };
 /// Momentum exchange between gas and particles.
-enum class DragLaw { ergunWenYu, ergunWenYuPrinted, ergun, wenYu };
+enum class DragLaw {
+  ergunWenYu,
+  ergunWenYuPrinted,
+  ergun,
+  wenYu,
+  gidaspow,
+  diFelice,
+  kochHill,
+  beetstra,
+  syamlalOBrien
+};
 /// How pressure and velocity are brought together in one gas step.
 enum class GasScheme { projection, simple };
 /// Time level of convection and diffusion in the gas.
@@ -70,6 +80,30 @@ inline constexpr std::array modelTable<DragLaw>{
               "Ergun (1952), Chem. Eng. Prog. 48:89"},
     ModelInfo{"wen-yu", "3/4 C_D eps (1-eps) rho |u-v|/d eps^-2.65 at any eps",
               "Wen & Yu (1966), Chem. Eng. Prog. Symp. Ser. 62:100"},
+    ModelInfo{
+        "gidaspow",
+        "(1-phi) of ergun and phi of wen-yu, phi = arctan(262.5 (eps-0.8))/pi + 1/2; C_D = 0.44 from Re "
+        "1000 on",
+        "Gidaspow (1994), Multiphase Flow and Fluidization; Huilin & Gidaspow (2003), Chem. Eng. Sci. "
+        "58:3777"},
+    ModelInfo{
+        "di-felice",
+        "3/4 C_D eps^2 (1-eps) rho |u-v|/d eps^-chi, chi = 3.7 - 0.65 exp(-(1.5 - log10 Re)^2/2), C_D = "
+        "(0.63 + 4.8/sqrt(Re))^2",
+        "Di Felice (1994), Int. J. Multiphase Flow 20:153"},
+    ModelInfo{"koch-hill", "18 (1-eps) eps^2 mu/d^2 (F0(eps) + F3(eps) Re/2)",
+              "Hill, Koch & Ladd (2001), J. Fluid Mech. 448:243; Koch & Hill (2001), Annu. Rev. Fluid Mech. "
+              "33:619"},
+    ModelInfo{"beetstra",
+              "18 (1-eps) eps mu/d^2 F(eps, Re), fitted to lattice Boltzmann simulations of random arrays up "
+              "to Re 1000",
+              "Beetstra, van der Hoef & Kuipers (2007), AIChE J. 53:489"},
+    ModelInfo{
+        "syamlal-obrien",
+        "3/4 C_D eps (1-eps) rho |u-v|/(V^2 d), C_D = (0.63 + 4.8 sqrt(V/Re))^2, Re = rho d |u-v|/mu, V "
+        "the relative settling velocity; constants 0.8, 2.65",
+        "Syamlal & O'Brien (1987), METC report; Syamlal, Rogers & O'Brien (1993), MFIX Documentation: "
+        "Theory Guide, DOE/METC-94/1004"},
 };
 template <>
 inline constexpr std::array modelTable<GasScheme>{

@@ -82,6 +82,14 @@ HWY_INLINE V power(D d, V x, double exponent) {
   return hn::IfThenElseZero(x >= hn::Set(d, 1e-300), value);
 }
 
+/// The same for exponents from -3 to 3 of each its own, as long as what comes out is below 1e300; what would
+/// be below 1e-300 comes out as about that.
+template <class D, class V>
+HWY_INLINE V power(D d, V x, V exponent) {
+  const V value = exp2Of(d, hn::Max(log2Of(d, x) * exponent, hn::Set(d, -999.0)));
+  return hn::IfThenElseZero(x >= hn::Set(d, 1e-300), value);
+}
+
 }  // namespace bedmix::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 

@@ -98,13 +98,27 @@ double floorHeight(const Scene& scene, double x) {
 
 double longestStep(const Scene& scene) { return contactTimeScale(scene) / 14.0; }
 
+double packedDragOverErgun(DragLaw law) {
+  switch (law) {
+    case DragLaw::kochHill:
+      return 180.0 / 150.0;
+    case DragLaw::beetstra:
+      return 1.2111;
+    case DragLaw::syamlalOBrien:
+      return 1.3643;
+    default:
+      return 1.0;
+  }
+}
+
 double packedRelaxation(const Scene& scene) {
   double least = infinity;  // density times diameter squared
   for (const ParticleKind& kind : particleKinds(scene)) {
     const double d = smallestDiameter(kind);
     least = std::min(least, packedVoidage * kind.density * d * d);
   }
-  return least / (150.0 * (1.0 - packedVoidage) * scene.gas->viscosity);
+  return least / (150.0 * (1.0 - packedVoidage) * scene.gas->viscosity) /
+         packedDragOverErgun(scene.gas->drag);
 }
 
 double longestGasStep(const Scene& scene) {

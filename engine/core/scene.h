@@ -231,7 +231,9 @@ double longestStep(const Scene& scene);
 
 /// Voidage of a packed bed, where gas and particles hold each other closest.
 inline constexpr double packedVoidage = 0.4;
-/// Time, s, within which the particles of a packed bed follow the gas: by Ergun's viscous part.
+/// How much stronger than Ergun's viscous part a law's drag is there without slip; 1 where it is not.
+double packedDragOverErgun(DragLaw law);
+/// Time, s, within which the particles of a packed bed follow the gas without slip.
 double packedRelaxation(const Scene& scene);
 /// The longest gas step, s, that holds. Together gas and particles keep their volume: particles of a packed
 /// bed that are faster by v slow the gas by (1-e)/e v, and feel by drag and pressure (1-e^2)/e^2 v of it one

@@ -5,62 +5,22 @@
 #define HWY_TARGET_INCLUDE "engine/coupling/drag_laws.cpp"
 #include <hwy/foreach_target.h>
 // After foreach_target.h.
-#include "engine/core/power-inl.h"
+#include "engine/coupling/drag_laws-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace bedmix::HWY_NAMESPACE {
 
 namespace {
 
-/// Tian et al. (2007), Eqs (3) and (4), divided by 1 - eps, for a vector of particles.
-template <class D>
-class Laws {
- public:
-  using V = hn::Vec<D>;
-
-  explicit Laws(const DragProperties& p)
-      : inertial_(p.gasDensity / p.diameter),
-        viscous_(p.viscosity / (p.diameter * p.diameter)),
-        reynoldsPerSlip_(p.gasDensity * p.diameter / p.viscosity) {}
-
-  /// Ergun (1952), Eq. (3a): 150 (1-eps) mu / (eps d^2) + 1.75 rho slip / d.
-  HWY_INLINE V ergun(V voidage, V slip) const {
-    return set(150.0 * viscous_) * (set(1.0) - voidage) / voidage + set(1.75 * inertial_) * slip;
-  }
-
-  /// Wen & Yu (1966), Eq. (3b) consistent with Eqs (2) and (9): 3/4 C_D Re mu / d^2 eps^-2.65,
-  /// Re = rho eps d slip / mu.
-  HWY_INLINE V wenYu(V voidage, V slip) const {
-    const V reynolds = set(reynoldsPerSlip_) * voidage * slip;
-    return set(0.75 * viscous_) * sphereDragTimesReynolds(reynolds) * power(d_, voidage, -2.65);
-  }
-
-  /// Either, by voidage; most particles of a bed are in the dense part, where no power is needed.
-  HWY_INLINE V ergunWenYu(V voidage, V slip, bool printed) const {
-    const V dense = ergun(voidage, slip);
-    const auto isDense = voidage <= set(dilute);
-    if (hn::AllTrue(d_, isDense)) return dense;
-    const V consistent = wenYu(voidage, slip);
-    return hn::IfThenElse(isDense, dense, printed ? consistent / voidage : consistent);
-  }
-
- private:
-  /// Eq. (4): C_D Re of a single sphere, finite at Re = 0.
-  HWY_INLINE V sphereDragTimesReynolds(V reynolds) const {
-    const V slow = set(24.0) + set(24.0 * 0.15) * power(d_, reynolds, 0.687);
-    return hn::IfThenElse(reynolds < set(1000.0), slow, set(0.43) * reynolds);
-  }
-
-  static HWY_INLINE V set(double x) { return hn::Set(D(), x); }
-
-  D d_;
-  double inertial_, viscous_, reynoldsPerSlip_;
-};
-
 template <DragLaw law, class D>
 HWY_INLINE hn::Vec<D> evaluate(const Laws<D>& laws, hn::Vec<D> voidage, hn::Vec<D> slip) {
   if constexpr (law == DragLaw::ergun) return laws.ergun(voidage, slip);
   if constexpr (law == DragLaw::wenYu) return laws.wenYu(voidage, slip);
+  if constexpr (law == DragLaw::gidaspow) return laws.gidaspow(voidage, slip);
+  if constexpr (law == DragLaw::diFelice) return laws.diFelice(voidage, slip);
+  if constexpr (law == DragLaw::kochHill) return laws.kochHill(voidage, slip);
+  if constexpr (law == DragLaw::beetstra) return laws.beetstra(voidage, slip);
+  if constexpr (law == DragLaw::syamlalOBrien) return laws.syamlalOBrien(voidage, slip);
   return laws.ergunWenYu(voidage, slip, law == DragLaw::ergunWenYuPrinted);
 }
 
@@ -92,6 +52,16 @@ void dragOf(DragLaw law, const DragProperties& properties, std::size_t n, const 
       return evaluateAll<DragLaw::ergun>(properties, n, voidage, slip, drag);
     case DragLaw::wenYu:
       return evaluateAll<DragLaw::wenYu>(properties, n, voidage, slip, drag);
+    case DragLaw::gidaspow:
+      return evaluateAll<DragLaw::gidaspow>(properties, n, voidage, slip, drag);
+    case DragLaw::diFelice:
+      return evaluateAll<DragLaw::diFelice>(properties, n, voidage, slip, drag);
+    case DragLaw::kochHill:
+      return evaluateAll<DragLaw::kochHill>(properties, n, voidage, slip, drag);
+    case DragLaw::beetstra:
+      return evaluateAll<DragLaw::beetstra>(properties, n, voidage, slip, drag);
+    case DragLaw::syamlalOBrien:
+      return evaluateAll<DragLaw::syamlalOBrien>(properties, n, voidage, slip, drag);
   }
 }
 

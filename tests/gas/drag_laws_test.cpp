@@ -16,6 +16,12 @@ namespace {
 
 constexpr DragProperties air{0.004, 1.205, 1.82e-5};
 
+std::vector<DragLaw> allLaws() {
+  std::vector<DragLaw> laws;
+  for (const ModelInfo& model : modelTable<DragLaw>) laws.push_back(*findModel<DragLaw>(model.name));
+  return laws;
+}
+
 /// beta of one particle, kg/(m3 s).
 double beta(DragLaw law, double voidage, double slip) {
   double drag = 0.0;
@@ -57,10 +63,13 @@ TEST(DragLaws, SwitchAtVoidagePointEight) {
 }
 
 TEST(DragLaws, FiniteAtZeroSlip) {
-  for (DragLaw law : {DragLaw::ergunWenYu, DragLaw::ergunWenYuPrinted, DragLaw::ergun, DragLaw::wenYu})
-    for (double eps : {0.4, 0.79, 0.81, 0.999}) {
-      EXPECT_TRUE(std::isfinite(beta(law, eps, 0.0)));
-      EXPECT_GT(beta(law, eps, 0.0), 0.0);
+  for (const DragLaw law : allLaws())
+    for (double eps : {0.2, 0.4, 0.6, 0.79, 0.81, 0.999, 1.0}) {
+      double slip = 0.0, drag = 0.0;
+      evaluateDragLaw(law, air, 1, &eps, &slip, &drag);
+      EXPECT_TRUE(std::isfinite(drag)) << modelName(law) << " at " << eps;
+      const bool isErgunsAlone = law == DragLaw::ergun && eps == 1.0;
+      EXPECT_EQ(drag > 0.0, !isErgunsAlone) << modelName(law) << " at " << eps;
     }
 }
 
@@ -70,18 +79,26 @@ TEST(DragLaws, PowersAreThoseOfTheLibraryTo1e14) {
   const auto power = [&](double x, double exponent) {
     return here::hn::GetLane(here::power(d, here::hn::Set(d, x), exponent));
   };
+  const auto raised = [&](double x, double exponent) {
+    return here::hn::GetLane(here::power(d, here::hn::Set(d, x), here::hn::Set(d, exponent)));
+  };
   double worst = 0.0;
   for (int k = 0; k <= 200'000; ++k) {
     const double voidage = 0.15 + 0.85 * k / 200'000;
     worst = std::max(worst, std::abs(power(voidage, -2.65) / std::pow(voidage, -2.65) - 1.0));
     const double reynolds = std::pow(10.0, -12.0 + 18.0 * k / 200'000);
     worst = std::max(worst, std::abs(power(reynolds, 0.687) / std::pow(reynolds, 0.687) - 1.0));
+    const double exponent = -3.0 + 6.0 * (k * 7919 % 200'001) / 200'000;
+    worst = std::max(worst, std::abs(raised(reynolds, exponent) / std::pow(reynolds, exponent) - 1.0) / 10);
   }
   EXPECT_LT(worst, 1e-14);
   RecordProperty("worst", fmt::format("{:.2g}", worst));
   EXPECT_EQ(power(0.0, 0.687), 0.0);
   EXPECT_EQ(power(1e-310, 0.687), 0.0);  // no normal number
   EXPECT_EQ(power(1.0, -2.65), 1.0);
+  EXPECT_EQ(raised(0.0, 2.5), 0.0);
+  EXPECT_LT(raised(1e-299, 2.5), 1e-300);
+  EXPECT_GE(raised(1e-299, 2.5), 0.0);
 }
 
 TEST(DragLaws, SameBitsAloneAndInVectorsAtEverySimdLevel) {
@@ -90,7 +107,7 @@ TEST(DragLaws, SameBitsAloneAndInVectorsAtEverySimdLevel) {
     voidage.push_back(0.15 + 0.85 * (k * 377 % 1003) / 1002);
     slip.push_back(15.0 * (k * 131 % 1003) / 1002);
   }
-  for (DragLaw law : {DragLaw::ergunWenYu, DragLaw::ergunWenYuPrinted, DragLaw::ergun, DragLaw::wenYu}) {
+  for (const DragLaw law : allLaws()) {
     std::vector<double> alone(voidage.size()), together(voidage.size());
     for (std::size_t k = 0; k < voidage.size(); ++k)
       evaluateDragLaw(law, air, 1, &voidage[k], &slip[k], &alone[k]);
