@@ -187,6 +187,17 @@ class Report {
     }
   }
 
+  static std::string changeInTime(const Inlet& inlet) {
+    std::string text;
+    if (inlet.pulse)
+      text += fmt::format(", pulsing: {} of {:g} Hz and {:g} of it, at most {:.3g} times it",
+                          modelName(inlet.pulse->shape), inlet.pulse->frequency, inlet.pulse->amplitude,
+                          largestOf(*inlet.pulse));
+    if (!inlet.schedule.empty())
+      text += fmt::format(", by a schedule up to {:g} times it", largestOf(inlet.schedule));
+    return text;
+  }
+
   void gas(const GasSettings& settings) {
     const GasGrid grid = makeGasGrid(scene_);
     const double umf = minimumFluidizationVelocity(scene_);
@@ -199,8 +210,8 @@ class Report {
       const Inlet& inlet = settings.inlets[i];
       const double u = inletVelocity(scene_, inlet);
       add(fmt::format("inlet {}", i), u, "m/s",
-          fmt::format("{}from x = {:g} to {:g} m", umf > 0.0 ? fmt::format("{:.3g} u_mf ", u / umf) : "",
-                      inlet.from, inlet.to));
+          fmt::format("{}from x = {:g} to {:g} m{}", umf > 0.0 ? fmt::format("{:.3g} u_mf ", u / umf) : "",
+                      inlet.from, inlet.to, changeInTime(inlet)));
     }
     const auto blocked =
         std::count_if(grid.lowestRow.begin(), grid.lowestRow.end(), [](int r) { return r > 0; });

@@ -3,6 +3,7 @@
 
 #include "engine/core/bed_statistics.h"
 #include "engine/core/hash.h"
+#include "engine/core/inlet_flow.h"
 #include "engine/core/particle_list.h"
 #include "engine/core/walls.h"
 #include "engine/coupling/exchange.h"
@@ -55,12 +56,25 @@ struct CoupledGas {
   VoidageField voidage;
   Exchange exchange;
   std::optional<GasStep> chosenStep;  // where the scene gives none
+  std::optional<InletFlow> flow;      // where what enters changes in time
 
   CoupledGas(const Scene& scene, Particles& particles, ThreadTeam& team)
       : solver(scene, team), voidage(scene, solver.grid(), team), exchange(scene, solver, voidage, team) {
     if (scene.gas->step.isAutomatic()) chosenStep.emplace(scene, solver);
+    setInlets(scene);
     particles.addExternalForces();
     voidage.update(particles.position, particles.radii);
+  }
+
+  void setInlets(const Scene& scene) {
+    flow.reset();
+    if (InletFlow::changes(scene)) flow.emplace(scene, solver.grid());
+  }
+  /// The longest that the coming step may be, s.
+  double longestStep() {
+    if (!flow) return chosenStep->longest();
+    chosenStep->expect(solver, flow->fastest());
+    return std::min(chosenStep->longest(), flow->longestStep());
   }
 
   void setStep(double seconds) {
@@ -151,7 +165,7 @@ std::int64_t Simulation::State::nextStretch() const {
   double longest = std::numeric_limits<double>::infinity();
   for (const auto& effect : effects) longest = std::min(longest, effect->longestStep());
   if (gas && !gas->chosenStep) return stepsPerGasStep(scene);
-  if (gas) return ticksWithin(std::min(longest, gas->chosenStep->longest()), scene, step);
+  if (gas) return ticksWithin(std::min(longest, gas->longestStep()), scene, step);
   if (chosenStep) longest = std::min(longest, contactTimeScale(scene));
   return std::isfinite(longest) ? ticksWithin(longest, scene, step) : stepsPerFrame(scene);
 }
@@ -183,6 +197,7 @@ std::optional<std::string> Simulation::State::gasStep() {
   stretch = nextStretch();
   const double length = static_cast<double>(stretch) * tick(scene);
   gas->setStep(length);
+  if (gas->flow) gas->solver.setInletFlux(gas->flow->over(timeOfStep(scene, step), length));
   gas->exchange.evaluateDrag(particles, gas->solver.exchange());
   for (const auto& effect : effects) effect->chargeGas(length, gas->solver.exchange());
   clock.lap(Stage::drag);
@@ -362,6 +377,8 @@ std::optional<std::string> Simulation::advance(std::int64_t steps) {
 void Simulation::setInlets(const std::vector<Inlet>& inlets) {
   State& s = *state_;
   s.scene.gas->inlets = inlets;
+  s.gas->setInlets(s.scene);
+  if (s.gas->flow) return;  // which sets what enters before each step
   const std::vector<double> flux = makeGasGrid(s.scene).inletFlux;
   if (flux == s.gas->solver.grid().inletFlux) return;
   s.gas->solver.setInletFlux(flux);

@@ -47,6 +47,9 @@ enum class RollingModel { elasticPlastic, constantTorque };
 /// How the diameters of one kind of particles differ.
 enum class SizeDistribution { normal, lognormal, uniform };
 
+/// How what enters by an inlet goes up and down.
+enum class PulseShape { sine, square };
+
 /// How much a run may err and cost; see presets.h for what each stands for.
 enum class Accuracy { draft, standard, paper, reference };
 
@@ -154,6 +157,14 @@ inline constexpr std::array modelTable<SizeDistribution>{
     ModelInfo{"normal", "d = mean (1 + deviation z), |z| <= cut", ""},
     ModelInfo{"lognormal", "d = median exp(deviation z), |z| <= cut", ""},
     ModelInfo{"uniform", "all between mean (1 - sqrt(3) deviation) and mean (1 + sqrt(3) deviation)", ""},
+};
+template <>
+inline constexpr std::array modelTable<PulseShape>{
+    ModelInfo{"sine", "1 + amplitude sin(2 pi (frequency t + phase))", ""},
+    ModelInfo{
+        "square",
+        "1 - amplitude, and for the first duty of each period 1 + amplitude (1 - duty)/duty: the mean is 1",
+        ""},
 };
 template <>
 inline constexpr std::array modelTable<Accuracy>{

@@ -88,7 +88,10 @@ double inletVelocity(const Scene& scene, const Inlet& inlet) {
 
 double fastestInlet(const Scene& scene) {
   double fastest = 0.0;
-  for (const Inlet& inlet : scene.gas->inlets) fastest = std::max(fastest, inletVelocity(scene, inlet));
+  for (const Inlet& inlet : scene.gas->inlets) {
+    const double factor = largestOf(inlet.schedule) * (inlet.pulse ? largestOf(*inlet.pulse) : 1.0);
+    fastest = std::max(fastest, factor * inletVelocity(scene, inlet));
+  }
   return fastest;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "engine/core/inlet_pulse.h"
 #include "engine/core/models.h"
 #include "engine/core/picture_settings.h"
 #include "engine/core/step_length.h"
@@ -114,10 +115,12 @@ struct GridSpan {
 
 /// Gas enters the floor between x = from and x = to with this velocity (volume flux per area of the inlet).
 struct Inlet {
-  double from = 0.0;                  // m
-  double to = 0.0;                    // m
-  std::optional<double> velocity;     // m/s, exactly one of
-  std::optional<double> velocityUmf;  // these two; multiples of the minimum fluidization velocity
+  double from = 0.0;                         // m
+  double to = 0.0;                           // m
+  std::optional<double> velocity;            // m/s, exactly one of
+  std::optional<double> velocityUmf;         // these two; multiples of the minimum fluidization velocity
+  std::optional<PulseSettings> pulse = {};   // around that velocity
+  std::vector<SchedulePoint> schedule = {};  // of factors on it
 };
 
 struct GasGridSettings {
@@ -202,8 +205,8 @@ double bedWeight(const Scene& scene);
 /// The normal spring, N/m; of a Hertzian contact, whose spring stiffens with the overlap, that which gives
 /// the same force at limits.warn_overlap, of the smallest particle at a wall: ordinary contacts are softer.
 double normalStiffness(const Scene& scene);
-/// Of a contact that overlaps by so much (m), N; of particles of that effective radius, m, r1 r2/(r1 + r2) or of one
-/// at a wall its own.
+/// Of a contact that overlaps by so much (m), N; of particles of that effective radius, m, r1 r2/(r1 + r2) or
+/// of one at a wall its own.
 double elasticForce(const Scene& scene, double overlap, double effectiveRadius);
 /// E* of two bodies of the same material, Pa: E/(2 (1 - nu^2)).
 double effectiveModulus(const HertzSettings& hertz);
@@ -219,9 +222,9 @@ double contactTimeScale(const Scene& scene);
 /// Minimum fluidization velocity, m/s, after Wen & Yu (1966): Re = sqrt(33.7^2 + 0.0408 Ar) - 33.7; or the
 /// scene's own.
 double minimumFluidizationVelocity(const Scene& scene);
-/// Superficial velocity of an inlet, m/s.
+/// Superficial velocity of an inlet, m/s; where it pulses, its mean over a period.
 double inletVelocity(const Scene& scene, const Inlet& inlet);
-/// The largest of these, m/s; the scene must have gas.
+/// The largest that any inlet ever has, m/s; the scene must have gas.
 double fastestInlet(const Scene& scene);
 /// Height of the straight distributor at x, m.
 double floorHeight(const Scene& scene, double x);

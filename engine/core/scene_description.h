@@ -139,6 +139,23 @@ void describe(GasGridSettings& s, V& visit) {
 }
 
 template <class V>
+void describe(PulseSettings& s, V& visit) {
+  visit(Key{"shape", "", {}, "how what enters goes up and down"}, s.shape);
+  visit(Key{"frequency", "Hz", {0.0, 1000.0, true}, "periods in a second"}, s.frequency);
+  visit(Key{"amplitude", "", {0.0, 1.0, true}, "of the inlet's velocity; at 1 it comes down to nothing"},
+        s.amplitude);
+  visit(Key{"duty", "", {0.01, 0.99}, "share of a period that a square pulse is on"}, s.duty);
+  visit(Key{"phase", "", {0.0, 1.0}, "share of a period that has gone by when the run begins"}, s.phase);
+}
+
+template <class V>
+void describe(SchedulePoint& s, V& visit) {
+  visit(Key{"time", "s", notNegative, "when", true}, s.time);
+  visit(Key{"factor", "", notNegative, "on the inlet's velocity; linear from point to point", true},
+        s.factor);
+}
+
+template <class V>
 void describe(Inlet& s, V& visit) {
   visit(Key{"from", "m", notNegative, "left end on the floor", true}, s.from);
   visit(Key{"to", "m", notNegative, "right end on the floor", true}, s.to);
@@ -147,6 +164,8 @@ void describe(Inlet& s, V& visit) {
   visit(
       Key{"velocity_umf", "u_mf", notNegative, "the same in multiples of the minimum fluidization velocity"},
       s.velocityUmf);
+  visit(Key{"pulse", "", {}, "switches on a velocity that pulses around this"}, s.pulse);
+  visit(Key{"schedule", "", {}, "points in time of a factor on the velocity"}, s.schedule);
 }
 
 template <class V>

@@ -253,6 +253,16 @@ class Rules {
     if (!in.velocity && !in.velocityUmf)
       add(path + ".velocity", {path + ".velocity_umf"},
           "the inlet needs either velocity (m/s) or velocity_umf (multiples of u_mf)");
+    for (std::size_t k = 1; k < in.schedule.size(); ++k)
+      if (in.schedule[k].time <= in.schedule[k - 1].time)
+        add(fmt::format("{}.schedule.{}.time", path, k), {fmt::format("{}.schedule.{}.time", path, k - 1)},
+            fmt::format("the schedule goes from {} s to {} s; its points must follow each other in time",
+                        in.schedule[k - 1].time, in.schedule[k].time));
+    if (in.pulse && !gas.step.isAutomatic() && gas.step > 0.1 / in.pulse->frequency)
+      add(path + ".pulse.frequency", {"gas.step"},
+          fmt::format("gas steps of {} s do not tell pulses of {} Hz; take steps of at most a tenth of a "
+                      "period, {:.3g} s",
+                      static_cast<double>(gas.step), in.pulse->frequency, 0.1 / in.pulse->frequency));
     const bool hasOwnUmf = gas.minimumFluidizationVelocity.has_value();
     const bool rises = scene_.particles.density <= gas.density || scene_.gravity <= 0.0;
     if (in.velocityUmf && !hasOwnUmf && rises)
