@@ -206,6 +206,12 @@ class Report {
         std::count_if(grid.lowestRow.begin(), grid.lowestRow.end(), [](int r) { return r > 0; });
     add("grid", fmt::format("{} x {}", grid.columns, grid.rows), "cells",
         blocked > 0 ? fmt::format("{} columns partly blocked by the distributor", blocked) : "none blocked");
+    if (!grid.openCell.empty()) {
+      std::size_t closed = 0;
+      for (int c = 0; c < grid.columns; ++c)
+        for (int r = grid.lowestRow[c]; r < grid.rows; ++r) closed += !grid.open(c, r);
+      add("obstacles", static_cast<double>(closed), "cells", "of the grid blocked");
+    }
   }
 
   static double smallestCellHeight(const GasGrid& grid) {

@@ -213,6 +213,7 @@ std::optional<std::string> Simulation::State::gasStep() {
 
 ParticleStep::Outcome Simulation::State::moveParticles(std::int64_t ticks) {
   const double length = tick(scene);
+  solver->setTime(timeOfStep(scene, step));
   if (chosenStep) return chosenStep->advance(static_cast<double>(ticks) * length, *solver);
   std::optional<DemTrouble> trouble = solver->advance(ticks);
   const std::int64_t taken = trouble ? trouble->steps : ticks;
@@ -271,7 +272,7 @@ Simulation::Simulation(const Scene& scene, Particles start, std::unique_ptr<Thre
   s.id = start.id;
   std::vector<Vec2f> position;
   for (const Vec2 at : start.position) position.push_back(toFloat(at));
-  s.solver = ParticleSolver::make(scene, std::move(start), bedWalls(scene), *s.team);
+  s.solver = ParticleSolver::make(scene, std::move(start), allWalls(scene), *s.team);
   if (scene.time.step.isAutomatic()) s.chosenStep.emplace(scene);
   if (scene.gas) s.gas = std::make_unique<CoupledGas>(scene, s.solver->particles(), *s.team);
   s.effects = effectStages({s.scene, *s.solver, s.gas ? &s.gas->solver : nullptr,

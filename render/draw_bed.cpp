@@ -30,7 +30,7 @@ void drawBed(DrawList& list, const Scene& scene, const Frame& frame, const Camer
   if (shows(Layer::forces)) drawForces(list, view);
   if (shows(Layer::sampling)) drawSampling(list, view);
   if (shows(Layer::counts)) drawCounts(list, view);
-  if (shows(Layer::walls)) drawWalls(list, scene, camera, em, palette);
+  if (shows(Layer::walls)) drawWalls(list, scene, camera, em, palette, frame.time);
   if (shows(Layer::velocity)) drawVelocity(list, view);
   if (shows(Layer::flow)) drawFlow(list, view);
   if (shows(Layer::gas)) drawGas(list, view);

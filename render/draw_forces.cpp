@@ -48,18 +48,13 @@ Cells sortIntoCells(const Frame& frame, const Scene& scene) {
   return cells;
 }
 
-Vec2 nearestOn(const WallSegment& wall, Vec2 p) {
-  const Vec2 along = wall.b - wall.a;
-  const double t = dot(p - wall.a, along) / dot(along, along);
-  return wall.a + along * std::clamp(t, 0.0, 1.0);
-}
-
 }  // namespace
 
 std::vector<FrameContact> contactsOf(const Frame& frame, const Scene& scene) {
   const auto radius = [&](std::uint32_t i) { return radiusOf(scene, frame, i); };
   const Cells cells = sortIntoCells(frame, scene);
-  const std::vector<WallSegment> walls = bedWalls(scene);
+  std::vector<WallSegment> walls = allWalls(scene);
+  for (WallSegment& wall : walls) wall = wallAt(wall, frame.time);
   std::vector<FrameContact> contacts;
   const auto addPair = [&](std::uint32_t i, std::uint32_t j) {
     const Vec2f a = frame.position[i], b = frame.position[j];

@@ -2,6 +2,7 @@
 #include "render/draw_walls.h"
 
 #include "engine/core/walls.h"
+#include "render/draw_obstacles.h"
 
 #include <algorithm>
 #include <cmath>
@@ -65,8 +66,11 @@ void drawInlet(DrawList& list, const WallSegment& floor, double from, double to,
 
 }  // namespace
 
-void drawWalls(DrawList& list, const Scene& scene, const Camera& camera, float em, const Palette& palette) {
-  const std::vector<WallSegment> walls = bedWalls(scene);
+void drawWalls(DrawList& list, const Scene& scene, const Camera& camera, float em, const Palette& palette,
+               double time) {
+  drawObstacles(list, scene, camera, wallWidth(em), palette);
+  std::vector<WallSegment> walls = bedWalls(scene);
+  for (WallSegment& wall : walls) wall = wallAt(wall, time);
   for (const WallSegment& wall : walls) {
     if (isFloor(wall)) drawSolid(list, wall, camera, palette.distributor);
     drawSegment(list, wall, camera, wallWidth(em), palette.wall);

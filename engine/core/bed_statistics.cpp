@@ -25,10 +25,13 @@ double solidsFlux(const Frame& frame, const Scene& scene) {
 }
 
 double pressureDrop(const Frame& frame, const GasGrid& grid) {
-  double sum = 0.0;
+  double sum = 0.0, width = grid.x.back() - grid.x.front();
   for (int c = 0; c < grid.columns; ++c)
-    sum += grid.dx(c) * static_cast<double>(frame.gas.pressure[grid.cell(c, grid.lowestRow[c])]);
-  return sum / (grid.x.back() - grid.x.front());
+    if (grid.open(c, grid.lowestRow[c]))
+      sum += grid.dx(c) * static_cast<double>(frame.gas.pressure[grid.cell(c, grid.lowestRow[c])]);
+    else
+      width -= grid.dx(c);
+  return width > 0.0 ? sum / width : 0.0;
 }
 
 double bedHeight(const Frame& frame, const Scene& scene) {

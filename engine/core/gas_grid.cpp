@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "engine/core/gas_grid.h"
 
+#include "engine/core/gas_obstacles.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -40,6 +42,7 @@ GasGrid makeGasGrid(const Scene& scene) {
     }
     grid.inletFlux.push_back(flow / (right - left));
   }
+  if (!scene.obstacles.empty()) blockCells(scene, grid);
   return grid;
 }
 

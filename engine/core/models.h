@@ -28,6 +28,8 @@ enum class TimeScheme { crankNicolson, implicitEuler };
 enum class BedTop { open, lid };
 /// How particles see an inclined distributor.
 enum class FloorShape { straight, stair };
+/// What stands in the bed.
+enum class ObstacleShape { circle, drum, segment };
 /// How a run begins.
 enum class Arrangement { settled, drop };
 /// Which particles carry the tracer colour.
@@ -94,6 +96,12 @@ template <>
 inline constexpr std::array modelTable<FloorShape>{
     ModelInfo{"straight", "particles meet one straight incline", ""},
     ModelInfo{"stair", "particles meet the stair of blocked gas cells", ""},
+};
+template <>
+inline constexpr std::array modelTable<ObstacleShape>{
+    ModelInfo{"circle", "a round tube seen from its end: particles are around it", ""},
+    ModelInfo{"drum", "a circle that particles are inside of", ""},
+    ModelInfo{"segment", "a straight plate seen from its edge, touched from both sides", ""},
 };
 template <>
 inline constexpr std::array modelTable<Arrangement>{

@@ -24,9 +24,25 @@ struct BedSettings {
   BedTop top = BedTop::open;
 };
 
+/// The floor moves by amplitude sin(2 pi frequency t), upward.
+struct VibrationSettings {
+  double amplitude = 0.0;  // m
+  double frequency = 0.0;  // Hz
+};
+
 struct FloorSettings {
   double inclinationDeg = 0.0;  // rises to the right
   FloorShape shape = FloorShape::straight;
+  std::optional<VibrationSettings> vibration = {};
+};
+
+/// A circle or drum about (x, y), or a segment from (x1, y1) to (x2, y2).
+struct ObstacleSettings {
+  ObstacleShape shape = ObstacleShape::circle;
+  std::optional<double> x, y, radius;    // m, of a circle or drum
+  std::optional<double> spinRpm;         // 1/min, of its surface, counter-clockwise
+  std::optional<double> x1, y1, x2, y2;  // m, of a segment
+  std::optional<double> thickness;       // m; without any it is no obstacle to the gas
 };
 
 /// Spheres of many sizes instead of one.
@@ -100,6 +116,7 @@ struct TimeSettings {
 
 struct StartSettings {
   Arrangement arrangement = Arrangement::settled;
+  std::optional<double> above;  // m, below which no particle starts
 };
 
 struct TracerSettings {
@@ -176,6 +193,7 @@ struct Scene {
   double gravity = 9.81;             // m/s2, downward
   BedSettings bed;
   FloorSettings floor;
+  std::vector<ObstacleSettings> obstacles;
   ParticleSettings particles;
   ContactSettings contacts;
   TimeSettings time;

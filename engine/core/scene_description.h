@@ -18,10 +18,38 @@ void describe(BedSettings& s, V& visit) {
 }
 
 template <class V>
+void describe(VibrationSettings& s, V& visit) {
+  visit(Key{"amplitude", "m", positive, "the floor's height is this times sin(2 pi frequency t)", true},
+        s.amplitude);
+  visit(Key{"frequency", "Hz", positive, "of its motion", true}, s.frequency);
+}
+
+template <class V>
 void describe(FloorSettings& s, V& visit) {
   visit(Key{"inclination_deg", "deg", {0.0, 60.0}, "slope of the distributor, rising to the right"},
         s.inclinationDeg);
   visit(Key{"shape", "", {}, "how particles see an inclined distributor"}, s.shape);
+  visit(Key{"vibration", "", {}, "switches on a floor that moves up and down"}, s.vibration);
+}
+
+template <class V>
+void describe(ObstacleSettings& s, V& visit) {
+  visit(Key{"shape", "", {}, "what it is"}, s.shape);
+  visit(Key{"x", "m", {}, "centre of a circle or drum"}, s.x);
+  visit(Key{"y", "m", {}, "height of its centre"}, s.y);
+  visit(Key{"radius", "m", positive, "of a circle or drum"}, s.radius);
+  visit(Key{"spin_rpm",
+            "1/min",
+            {},
+            "the circle or drum turns, counter-clockwise; particles feel it by friction"},
+        s.spinRpm);
+  visit(Key{"x1", "m", {}, "one end of a segment"}, s.x1);
+  visit(Key{"y1", "m", {}, "height of that end"}, s.y1);
+  visit(Key{"x2", "m", {}, "its other end"}, s.x2);
+  visit(Key{"y2", "m", {}, "height of that end"}, s.y2);
+  visit(Key{"thickness", "m", positive,
+            "of a segment, with round ends, which then stops the gas too; without it the gas passes"},
+        s.thickness);
 }
 
 template <class V>
@@ -115,6 +143,7 @@ void describe(TimeSettings& s, V& visit) {
 template <class V>
 void describe(StartSettings& s, V& visit) {
   visit(Key{"arrangement", "", {}, "how the run begins"}, s.arrangement);
+  visit(Key{"above", "m", notNegative, "no particle starts below this height"}, s.above);
 }
 
 template <class V>
@@ -217,6 +246,7 @@ void describe(Scene& s, V& visit) {
   visit(Key{"gravity", "m/s2", notNegative, "acceleration, downward"}, s.gravity);
   visit(Key{"bed", "", {}, "the container", true}, s.bed);
   visit(Key{"floor", "", {}, "the distributor"}, s.floor);
+  visit(Key{"obstacles", "", {}, "tubes, plates, hopper walls and drums"}, s.obstacles);
   visit(Key{"particles", "", {}, "the solids", true}, s.particles);
   visit(Key{"contacts", "", {}, "linear spring and dashpot", true}, s.contacts);
   visit(Key{"time", "", {}, "duration and step", true}, s.time);

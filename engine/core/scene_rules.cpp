@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "engine/core/obstacle_rules.h"
 #include "engine/core/particle_list.h"
 #include "engine/core/scene_reader.h"
 
@@ -34,6 +35,7 @@ class Rules {
     contacts();
     time();
     if (scene_.gas) gas(*scene_.gas);
+    if (broken_.empty()) addAll(obstacleContradictions(scene_));
     if (scene_.flux) flux(*scene_.flux);
     scene_.effects.forEach([&]([[maybe_unused]] const Key& table, const auto& settings) {
       if (settings) addAll(contradictions(scene_, *settings));

@@ -31,6 +31,7 @@ constexpr std::array fixedSettings{
     Fixed{"accuracy", "it gives the values that a scene leaves open, and none is"},
     Fixed{"bed", built},
     Fixed{"floor", built},
+    Fixed{"obstacles", built},
     Fixed{"particles", "the bed has been filled with them"},
     Fixed{"time.duration", "a run that is steered goes on until it is ended"},
     Fixed{"time.step", counted},

@@ -3,7 +3,9 @@
 
 #include "engine/core/gas_grid.h"
 
+#include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace bedmix {
 
@@ -29,7 +31,36 @@ std::vector<Vec2> floorLine(const Scene& scene) {
   return line;
 }
 
+/// The floor moves between the side walls, the first of the walls and the first of the last `behindFloor`;
+/// these go down as far as it does.
+void vibrate(std::vector<WallSegment>& walls, const VibrationSettings& vibration, std::size_t behindFloor) {
+  WallSegment &left = walls.front(), &right = walls[walls.size() - behindFloor];
+  left.b.y -= vibration.amplitude;
+  right.a.y -= vibration.amplitude;
+  for (std::size_t w = 1; w + behindFloor < walls.size(); ++w) {
+    walls[w].amplitude = vibration.amplitude;
+    walls[w].angularFrequency = 2.0 * std::numbers::pi * vibration.frequency;
+  }
+}
+
 }  // namespace
+
+WallSegment wallAt(const WallSegment& wall, double time) {
+  WallSegment now = wall;
+  const double rise = wall.amplitude * std::sin(wall.angularFrequency * time);
+  now.a.y += rise;
+  now.b.y += rise;
+  return now;
+}
+
+Vec2 nearestOn(const WallSegment& wall, Vec2 p) {
+  constexpr double tiny = 1e-300;  // stands for zero
+  const Vec2 along = wall.b - wall.a;
+  const double t = dot(p - wall.a, along) / std::max(dot(along, along), tiny);
+  const Vec2 core = wall.a + along * std::clamp(t, 0.0, 1.0);
+  if (wall.radius == 0.0) return core;
+  return core + (wall.radius / std::max(norm(p - core), tiny)) * (p - core);
+}
 
 std::vector<WallSegment> bedWalls(const Scene& scene) {
   constexpr double farAbove = 100.0;  // m; higher than any particle is thrown
@@ -44,6 +75,38 @@ std::vector<WallSegment> bedWalls(const Scene& scene) {
 
   std::vector<WallSegment> walls;
   for (std::size_t i = 0; i + 1 < chain.size(); ++i) walls.push_back({chain[i], chain[i + 1], true, false});
+  if (const auto& vibration = scene.floor.vibration) vibrate(walls, *vibration, lid ? 2 : 1);
+  return walls;
+}
+
+std::vector<WallSegment> obstacleWalls(const Scene& scene) {
+  std::vector<WallSegment> walls;
+  const auto isTaken = [&walls](Vec2 end) {
+    return std::any_of(walls.begin(), walls.end(),
+                       [&](const WallSegment& w) { return !isCircle(w) && (w.a == end || w.b == end); });
+  };
+  for (const ObstacleSettings& o : scene.obstacles) {
+    WallSegment wall;
+    if (o.shape != ObstacleShape::segment) {
+      wall.a = wall.b = {o.x.value_or(0.0), o.y.value_or(0.0)};
+      wall.radius = o.radius.value_or(0.0);
+      wall.spin = o.spinRpm.value_or(0.0) * std::numbers::pi / 30.0;
+    } else {
+      wall.a = {o.x1.value_or(0.0), o.y1.value_or(0.0)};
+      wall.b = {o.x2.value_or(0.0), o.y2.value_or(0.0)};
+      wall.radius = 0.5 * o.thickness.value_or(0.0);
+      wall.ownsA = !isTaken(wall.a);
+      wall.ownsB = !isTaken(wall.b);
+    }
+    walls.push_back(wall);
+  }
+  return walls;
+}
+
+std::vector<WallSegment> allWalls(const Scene& scene) {
+  std::vector<WallSegment> walls = bedWalls(scene);
+  const std::vector<WallSegment> obstacles = obstacleWalls(scene);
+  walls.insert(walls.end(), obstacles.begin(), obstacles.end());
   return walls;
 }
 

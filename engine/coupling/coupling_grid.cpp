@@ -32,21 +32,32 @@ CouplingGrid::CouplingGrid(const Scene& scene, const GasGrid& gasGrid)
 
 CouplingGrid::Place CouplingGrid::cellOf(Place point) const {
   const std::int32_t i = std::clamp(point.i - 1, 0, x.cells - 1);
-  return {i, std::clamp(point.j - 1, gas_.lowestRow[i], y.cells - 1)};
+  const auto cell = static_cast<std::int32_t>(gas_.openCellFor(i, std::clamp(point.j - 1, 0, y.cells - 1)));
+  return {cell % x.cells, cell / x.cells};
 }
 
 CouplingGrid::Place CouplingGrid::uprightFaceOf(Place point) const {
   const std::int32_t i = std::min(point.i, x.cells), left = std::max(i - 1, 0),
                      right = std::min(i, x.cells - 1);
-  return {i, std::clamp(point.j - 1, std::min(gas_.lowestRow[left], gas_.lowestRow[right]), y.cells - 1)};
+  const std::int32_t j =
+      std::clamp(point.j - 1, std::min(gas_.lowestRow[left], gas_.lowestRow[right]), y.cells - 1);
+  if (gas_.open(left, j) || gas_.open(right, j)) return {i, j};
+  // Within an obstacle: the near side of the open cell.
+  const Place cell = cellOf({point.i, j + 1});
+  return {std::clamp(i, cell.i, cell.i + 1), cell.j};
 }
 
 CouplingGrid::Place CouplingGrid::levelFaceOf(Place point) const {
   const std::int32_t i = std::clamp(point.i - 1, 0, x.cells - 1);
-  return {i, std::clamp(point.j, gas_.lowestRow[i], y.cells)};
+  const std::int32_t j = std::clamp(point.j, gas_.lowestRow[i], y.cells);
+  if (gas_.open(i, std::max(j - 1, 0)) || gas_.open(i, std::min(j, y.cells - 1))) return {i, j};
+  const Place cell = cellOf({point.i, j + 1});
+  return {cell.i, std::clamp(j, cell.j, cell.j + 1)};
 }
 
 Range CouplingGrid::columnsOf(const ThreadTeam& team, int member) const {
+  // Around obstacles owners may be in other columns.
+  if (!gas_.openCell.empty()) return {0, member == 0 ? static_cast<std::size_t>(stride) : 0};
   const auto all = static_cast<std::size_t>(x.cells);
   Range part = team.share(all, member);
   if (part.begin == part.end) return part;

@@ -43,7 +43,7 @@ Exchange::Exchange(const Scene& scene, const GasSolver& gas, const VoidageField&
   for (int j = 0; j < g.rows; ++j)
     for (int i = 0; i < g.columns; ++i) {
       across_.push_back(weights(i > 0 && g.open(i - 1, j), i + 1 < g.columns && g.open(i + 1, j)));
-      up_.push_back(weights(j > 0 && g.open(i, j - 1), true));
+      up_.push_back(weights(j > 0 && g.open(i, j - 1), j + 1 == g.rows || g.open(i, j + 1)));
     }
   perDistanceX_.assign(g.x.size(), 0.0);
   for (int i = 1; i < g.columns; ++i) perDistanceX_[i] = 2.0 / (g.dx(i - 1) + g.dx(i));

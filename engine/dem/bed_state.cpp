@@ -37,6 +37,12 @@ void BedState::placeBodies() {
   spinAhead = particles.spin;
 }
 
+double BedState::fastestWall() const {
+  double fastest = 0.0;
+  for (const WallShape& wall : contacts.walls()) fastest = std::max(fastest, wall.fastest());
+  return fastest;
+}
+
 // Loads are about to be evaluated anew; until then they lend their memory.
 bool BedState::sort() {
   if (!contacts.sort(bodies)) return false;

@@ -43,11 +43,14 @@ struct BedState {
   std::vector<Body> bodies;
   std::vector<double> spinAhead;
   SkinBudget budget;
-  double gravity;  // m/s2, downward
-  double step;     // s
+  double gravity;     // m/s2, downward
+  double step;        // s
+  double time = 0.0;  // s, of the particles; asked for where walls move
   ThreadTeam& team;
   DemSeconds seconds;
 
+  /// With which a wall comes to meet a particle, m/s.
+  double fastestWall() const;
   /// Puts the bodies where the particles are.
   void placeBodies();
   /// Sorts the particles in space, for a new contact list; false where not all are at finite places. Loads

@@ -53,15 +53,17 @@ double hardestOfBlock(const BedState& bed, const ContactBlock& block, const Spri
                       const SpringDashpot& wall, double span) {
   double hardest2 = bed.particles.areMixed() ? hardestOfMixed(bed, block, pair, span)
                                              : hardestOfAlike(bed, block, pair, span);
-  for (const ContactBlock::AtWall& w : block.walls)
+  for (const ContactBlock::AtWall& w : block.walls) {
+    const WallShape shape = bed.contacts.walls()[w.wall].at(bed.time);
     for (std::size_t c = 0; c < w.slots.count; ++c) {
       const std::int32_t i = w.slots.first[c];
       const Body& body = bed.bodies[i];
       Vec2 point;
-      if (!bed.contacts.walls()[w.wall].touchPoint(body.position, point)) continue;
+      if (!shape.touchPoint(body.position, point)) continue;
       hardest2 = std::max(hardest2, impact2(wall, bed.particles.radiusOf(i), point - body.position,
-                                            -1.0 * body.velocity, span));
+                                            shape.velocity - body.velocity, span));
     }
+  }
   return hardest2;
 }
 
@@ -76,7 +78,7 @@ double closingSpeed(BedState& bed, const SpringDashpot& pair, const SpringDashpo
                     double span) {
   // What they were foreseen to do is not kept by a checkpoint.
   bed.placeBodies();
-  const double most = 2.0 * fastest;
+  const double most = std::max(2.0 * fastest, fastest + bed.fastestWall());
   if (most * span > bed.budget.outer && most * span > measuredBudget(bed)) return most;
 
   std::vector<double> ofBlock(bed.contacts.blocks());

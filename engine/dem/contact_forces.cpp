@@ -73,7 +73,13 @@ void ContactForces::addWall(BedState& bed, ContactBlock& block, const ContactBlo
                             const Motion& at, const Tangential& t) const {
   const ContactSlots& s = w.slots;
   if (s.count == 0) return;
-  const WallShape& wall = bed.contacts.walls()[w.wall];
+  const WallShape& rest = bed.contacts.walls()[w.wall];
+  if (!rest.moves()) return addWall(bed, block, s, rest, at, t);
+  addWall(bed, block, s, rest.at(at.time), at, t);
+}
+
+void ContactForces::addWall(BedState& bed, ContactBlock& block, const ContactSlots& s, const WallShape& wall,
+                            const Motion& at, const Tangential& t) const {
   const KernelReport report = wall_.wall(at, wall, s.first.data(), s.count, t, bed.loads.data());
   watch(bed, block, s, {0, s.count}, wall_.law.reach, report, [&](std::size_t c) {
     Vec2 point;

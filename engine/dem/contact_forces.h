@@ -17,11 +17,11 @@ inline Tangential inPlace(ContactSlots& slots) {
   return {spring, slip, spring, slip, orNull(slots.rolled), orNull(slots.rollRate), orNull(slots.bridge)};
 }
 
-/// Where a bed's contacts are evaluated.
-inline Motion motionOf(const BedState& bed) {
+/// Where a bed's contacts are evaluated; walls are where they are at the time, s.
+inline Motion motionOf(const BedState& bed, double time) {
   const auto orNull = [](const auto& values) { return values.empty() ? nullptr : values.data(); };
   const Particles& p = bed.particles;
-  return {bed.bodies.data(), orNull(bed.spinAhead), orNull(p.radii), orNull(p.masses), orNull(p.kinds)};
+  return {bed.bodies.data(), orNull(bed.spinAhead), orNull(p.radii), orNull(p.masses), orNull(p.kinds), time};
 }
 
 /// Evaluates the contacts of a bed, block by block.
@@ -57,6 +57,8 @@ class ContactForces {
  private:
   void addWall(BedState& bed, ContactBlock& block, const ContactBlock::AtWall& w, const Motion& at,
                const Tangential& t) const;
+  void addWall(BedState& bed, ContactBlock& block, const ContactSlots& slots, const WallShape& wall,
+               const Motion& at, const Tangential& t) const;
 
   std::optional<ContactEffects> effects_;  // none where the kernels' are
   ContactKernel pair_, wall_;

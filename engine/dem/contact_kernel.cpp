@@ -102,7 +102,32 @@ KernelReport pairLoop(const ContactKernel& kernel, const Motion& motion, const P
   return law.report();
 }
 
-template <Parts parts>
+/// What walls have that are not plain, see WallShape::isPlain().
+struct Surface {
+  V radius, spin;
+  Planar a, velocity;
+
+  explicit Surface(const WallShape& wall)
+      : radius(hn::Set(D(), wall.radius)),
+        spin(hn::Set(D(), wall.spin)),
+        a{hn::Set(D(), wall.a.x), hn::Set(D(), wall.a.y)},
+        velocity{hn::Set(D(), wall.velocity.x), hn::Set(D(), wall.velocity.y)} {}
+
+  /// From the nearest point of the segment to that of the surface, as WallShape::onSurface() does.
+  HWY_INLINE Planar nearest(const Planar& centre, const Planar& core) const {
+    const Planar out{hn::Sub(centre.x, core.x), hn::Sub(centre.y, core.y)};
+    const V share = hn::Div(radius, hn::Max(hn::Sqrt(dot(out, out)), hn::Set(D(), WallShape::tiny)));
+    return {hn::Add(core.x, hn::Mul(share, out.x)), hn::Add(core.y, hn::Mul(share, out.y))};
+  }
+  /// Of the surface at a point, relative to a particle with this velocity.
+  HWY_INLINE Planar slip(const Planar& point, const Planar& particle) const {
+    const V x = hn::Sub(point.x, a.x), y = hn::Sub(point.y, a.y);
+    return {hn::Sub(hn::Sub(velocity.x, hn::Mul(spin, y)), particle.x),
+            hn::Sub(hn::Add(velocity.y, hn::Mul(spin, x)), particle.y)};
+  }
+};
+
+template <Parts parts, bool plain>
 KernelReport wallLoop(const ContactKernel& kernel, const Motion& motion, const WallShape& wall,
                       const std::int32_t* particle, std::size_t count, const Tangential& tangential,
                       Load* loads) {
@@ -119,6 +144,7 @@ KernelReport wallLoop(const ContactKernel& kernel, const Motion& motion, const W
   const Tangential t = tangential;
   Law<parts> law(kernel, true);
   const Meetings meetings(kernel, at);
+  const Surface surface(wall);
   for (std::size_t c = 0; c < count; c += lanes) {
     const std::int32_t* i = particle + c;
     const auto [centre, velocity] = load(at.body, i);
@@ -131,7 +157,12 @@ KernelReport wallLoop(const ContactKernel& kernel, const Motion& motion, const W
     const M pushes = hn::And(hn::Or(hn::Not(beforeA), cornerA), hn::Or(hn::Not(beyondB), cornerB));
     const V clamped = hn::Min(hn::Max(place, zero), length);
     const Planar point{hn::Add(a.x, hn::Mul(clamped, along.x)), hn::Add(a.y, hn::Mul(clamped, along.y))};
-    const Planar nearest{hn::IfThenElse(beyondB, b.x, point.x), hn::IfThenElse(beyondB, b.y, point.y)};
+    Planar nearest{hn::IfThenElse(beyondB, b.x, point.x), hn::IfThenElse(beyondB, b.y, point.y)};
+    Planar slip{hn::Neg(velocity.x), hn::Neg(velocity.y)};
+    if constexpr (!plain) {
+      nearest = surface.nearest(centre, nearest);
+      slip = surface.slip(nearest, velocity);
+    }
     Meeting<parts.rich> meeting;
     if constexpr (parts.rich) {
       meeting = meetings.atWall(i);
@@ -142,9 +173,7 @@ KernelReport wallLoop(const ContactKernel& kernel, const Motion& motion, const W
     }
     const M among = hn::And(pushes, count - c < lanes ? hn::FirstN(d, count - c) : all);
     Push push{zero, zero, zero, zero};
-    if (!law.apply(minus(nearest, centre), {hn::Neg(velocity.x), hn::Neg(velocity.y)}, meeting, among, c, t,
-                   push))
-      continue;
+    if (!law.apply(minus(nearest, centre), slip, meeting, among, c, t, push)) continue;
     forRows(push, [&](std::size_t l, auto... halves) HWY_ATTR { addRow(loads + i[l], halves...); });
   }
   return law.report();
@@ -192,7 +221,9 @@ KernelReport crossing(const ContactKernel& kernel, const Motion& at, const PairI
 KernelReport wall(const ContactKernel& kernel, const Motion& at, const WallShape& wall,
                   const std::int32_t* particle, std::size_t count, const Tangential& t, Load* loads) {
   return compose(kernel, [&](auto parts) {
-    return wallLoop<decltype(parts)::value>(kernel, at, wall, particle, count, t, loads);
+    const auto loop =
+        wall.isPlain() ? wallLoop<decltype(parts)::value, true> : wallLoop<decltype(parts)::value, false>;
+    return loop(kernel, at, wall, particle, count, t, loads);
   });
 }
 

@@ -22,6 +22,7 @@ struct Motion {
   const double* radii = nullptr;
   const double* masses = nullptr;
   const std::uint8_t* kinds = nullptr;
+  double time = 0.0;  // s, that walls are where they then are
 };
 
 /// Pairs that may touch, side by side; of them those in `slots`, which ends with a whole vector of eight or

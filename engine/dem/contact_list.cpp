@@ -215,16 +215,26 @@ void ContactList::findPairs(ContactBlock& block, const std::vector<Body>& bodies
 void ContactList::findWalls(ContactBlock& block, const std::vector<Body>& bodies) {
   const double reach = wallReach_ + skin_;
   for (ContactBlock::AtWall& w : block.walls) {
-    ContactSlots& slots = w.slots;
-    slots.count = 0;
-    for (std::size_t i = block.particles.begin; i < block.particles.end; ++i) {
-      if (!(walls_[w.wall].distance2(bodies[i].position) < reach * reach)) continue;
-      slots.reserve(slots.count + 1 + slots.count / 2, false, columns_);
-      slots.first[slots.count++] = static_cast<std::int32_t>(i);
-    }
-    slots.reserve(slots.count, false, columns_);
-    slots.pad(static_cast<std::int32_t>(block.particles.begin));
+    const WallShape& wall = walls_[w.wall];
+    if (wall.isPlain())
+      findAtWall(block, w.slots,
+                 [&](std::size_t i) { return wall.distance2(bodies[i].position) < reach * reach; });
+    else  // a wall that moves may come nearer by its amplitude
+      findAtWall(block, w.slots,
+                 [&](std::size_t i) { return wall.distance(bodies[i].position) < reach + wall.amplitude; });
   }
+}
+
+template <class IsNear>
+void ContactList::findAtWall(const ContactBlock& block, ContactSlots& slots, IsNear&& isNear) const {
+  slots.count = 0;
+  for (std::size_t i = block.particles.begin; i < block.particles.end; ++i) {
+    if (!isNear(i)) continue;
+    slots.reserve(slots.count + 1 + slots.count / 2, false, columns_);
+    slots.first[slots.count++] = static_cast<std::int32_t>(i);
+  }
+  slots.reserve(slots.count, false, columns_);
+  slots.pad(static_cast<std::int32_t>(block.particles.begin));
 }
 
 void ContactList::link() {

@@ -149,6 +149,8 @@ class ContactList {
   void rememberContacts();
   void findPairs(ContactBlock& block, const std::vector<Body>& bodies);
   void findWalls(ContactBlock& block, const std::vector<Body>& bodies);
+  template <class IsNear>
+  void findAtWall(const ContactBlock& block, ContactSlots& slots, IsNear&& isNear) const;
   static void cutNear(ContactBlock& block);
   void recall(ContactSlots& slots, std::int32_t wall) const;
   bool loadNear(ContactBlock& block, StateReader& in) const;

@@ -3,8 +3,10 @@
 
 #include "engine/core/particle_list.h"
 #include "engine/core/rng.h"
+#include "engine/core/walls.h"
 #include "engine/dem/particle_solver.h"
 #include "engine/dem/particle_step.h"
+#include "engine/dem/wall_shape.h"
 
 #include <fmt/format.h>
 
@@ -21,6 +23,7 @@ namespace {
 constexpr double siteOverDiameter = 1.25;
 constexpr double sitesPerParticle = 1.1;
 constexpr double leastSite = 1.01;   // of a diameter
+constexpr double mostRows = 1e6;     // of sites among obstacles
 constexpr double restSpeed = 1e-3;   // m/s
 constexpr double restTime = 0.02;    // s
 constexpr double longestFall = 3.0;  // s
@@ -35,6 +38,33 @@ struct Lattice {
   double height = 0.0;  // m
   std::int64_t columns = 0;
   std::int64_t rows = 0;
+  std::vector<std::int64_t> sites;  // that are free, row by row
+};
+
+/// What keeps sites from being free.
+class Room {
+ public:
+  explicit Room(const Scene& scene) : obstacles_(wallShapes(obstacleWalls(scene))) {
+    for (std::size_t o = 0; o < obstacles_.size(); ++o)
+      if (scene.obstacles[o].shape == ObstacleShape::drum) {
+        drum_ = obstacles_[o];
+        obstacles_.erase(obstacles_.begin() + static_cast<std::ptrdiff_t>(o));
+        break;
+      }
+  }
+
+  bool isAll() const { return obstacles_.empty() && !drum_; }
+  const std::optional<WallShape>& drum() const { return drum_; }
+  /// Whether nothing comes nearer than `reach` (m) to the point.
+  bool isFree(Vec2 at, double reach) const {
+    if (drum_ && std::sqrt(drum_->distance2(at)) + reach > drum_->radius) return false;
+    return std::all_of(obstacles_.begin(), obstacles_.end(),
+                       [&](const WallShape& o) { return std::sqrt(o.distance2(at)) > o.radius + reach; });
+  }
+
+ private:
+  std::vector<WallShape> obstacles_;
+  std::optional<WallShape> drum_;
 };
 
 double highestFloor(const Scene& scene) {
@@ -46,28 +76,58 @@ double highestFloor(const Scene& scene) {
   return highest;
 }
 
-/// Sites for all particles; none where even the closest lattice below the lid has too few.
+/// Room below the lid, or below the top of a drum, for so many rows at most.
+double rowsBelowTop(const Scene& scene, const Room& room, double bottom, double height) {
+  double top = infinity;
+  if (scene.bed.top == BedTop::lid) top = scene.bed.height;
+  if (room.drum()) top = std::min(top, room.drum()->a.y + room.drum()->radius);
+  return std::floor((top - bottom) / height);
+}
+
+/// Lays rows until as many sites as wanted are free, no more than `most` of them.
+void findSites(Lattice& lattice, const Room& room, double diameter, double wanted, double most) {
+  // Wherever in its site a particle is put.
+  const double reach = diameter / 2.0 + std::hypot(lattice.width - diameter, lattice.height - diameter) / 2.0;
+  lattice.sites.clear();
+  lattice.rows = 0;
+  while (static_cast<double>(lattice.sites.size()) < wanted && static_cast<double>(lattice.rows) < most) {
+    for (std::int64_t c = 0; c < lattice.columns; ++c) {
+      const Vec2 middle{(static_cast<double>(c) + 0.5) * lattice.width,
+                        lattice.bottom + (static_cast<double>(lattice.rows) + 0.5) * lattice.height};
+      if (room.isFree(middle, reach)) lattice.sites.push_back(lattice.rows * lattice.columns + c);
+    }
+    ++lattice.rows;
+  }
+}
+
+/// Sites for all particles; none where even the closest lattice below the lid or in the drum has too few.
 std::optional<Lattice> layLattice(const Scene& scene) {
   const double d = particleRange(scene).largest;
-  const double bottom = highestFloor(scene);
-  const auto wanted = std::ceil(sitesPerParticle * static_cast<double>(scene.particles.count));
+  const Room room(scene);
+  double bottom = std::max(highestFloor(scene), scene.start.above.value_or(0.0));
+  if (room.drum()) bottom = std::max(bottom, room.drum()->a.y - room.drum()->radius);
+  const auto count = static_cast<double>(scene.particles.count);
+  const double wanted = std::ceil(sitesPerParticle * count);
   for (double site = siteOverDiameter; site >= leastSite; site -= 0.01) {
     const double columns = std::floor(scene.bed.width / (site * d));
     if (columns < 1.0) continue;
-    double rows = std::ceil(wanted / columns);
-    if (scene.bed.top == BedTop::lid) {
-      rows = std::min(rows, std::floor((scene.bed.height - bottom) / (site * d)));
-      if (columns * rows < static_cast<double>(scene.particles.count)) continue;
+    Lattice lattice{bottom, scene.bed.width / columns, site * d, std::llround(columns), 0, {}};
+    const double most = rowsBelowTop(scene, room, bottom, lattice.height);
+    if (room.isAll()) {
+      lattice.rows = std::llround(std::min(std::ceil(wanted / columns), most));
+      lattice.sites.resize(static_cast<std::size_t>(lattice.columns * lattice.rows));
+      std::iota(lattice.sites.begin(), lattice.sites.end(), std::int64_t{0});
+    } else {
+      findSites(lattice, room, d, wanted, std::min(most, mostRows));
     }
-    return Lattice{bottom, scene.bed.width / columns, site * d, std::llround(columns), std::llround(rows)};
+    if (static_cast<double>(lattice.sites.size()) >= count) return lattice;
   }
   return std::nullopt;
 }
 
 std::vector<Vec2> scatter(const Scene& scene, const Lattice& lattice) {
   Rng rng(scene.seed);
-  std::vector<std::int64_t> sites(lattice.columns * lattice.rows);
-  std::iota(sites.begin(), sites.end(), std::int64_t{0});
+  std::vector<std::int64_t> sites = lattice.sites;
   const double d = particleRange(scene).largest;
   std::vector<Vec2> positions;
   for (std::int64_t i = 0; i < scene.particles.count; ++i) {
@@ -120,16 +180,19 @@ const char* what(DemTrouble::Kind kind) {
 Result<Particles> packBed(const Scene& scene, ThreadTeam& team) {
   const std::optional<Lattice> lattice = layLattice(scene);
   if (!lattice)
-    return Diagnostic({}, fmt::format("particles.count: {} spheres of {} m do not fit above the floor; take "
-                                      "fewer, or a wider bed, or with a lid a higher one",
-                                      scene.particles.count, scene.particles.diameter));
+    return Diagnostic(
+        {}, fmt::format("particles.count: {} spheres of {} m do not fit above the floor and between "
+                        "the obstacles; take fewer, or a wider bed, or with a lid a higher one",
+                        scene.particles.count, scene.particles.diameter));
   Particles start = makeParticles(scene, scatter(scene, *lattice));
   if (scene.start.arrangement == Arrangement::drop || start.size() == 0) return start;
 
   Scene calm = scene;
+  calm.floor.vibration.reset();
+  for (ObstacleSettings& obstacle : calm.obstacles) obstacle.spinRpm.reset();
   if (!scene.time.step.isAutomatic()) calm.time.integrator = Integrator::velocityVerlet;
   calm.time.error = std::min(calm.time.error, restError);
-  const auto solver = ParticleSolver::make(calm, std::move(start), bedWalls(scene), team);
+  const auto solver = ParticleSolver::make(calm, std::move(start), allWalls(calm), team);
   if (const auto trouble = settle(calm, *solver))
     return Diagnostic({},
                       fmt::format("start: while the bed settled, {} of particle {} became {:.3g} ({}); "

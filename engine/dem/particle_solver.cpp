@@ -165,7 +165,7 @@ double ParticleSolver::elasticEnergy() const {
       for (std::size_t c = 0; c < w.slots.count; ++c) {
         const std::int32_t i = w.slots.first[c];
         Vec2 point;
-        const bool isMet = bed_.contacts.walls()[w.wall].touchPoint(position[i], point);
+        const bool isMet = bed_.contacts.walls()[w.wall].at(bed_.time).touchPoint(position[i], point);
         const double depth = isMet ? p.radiusOf(i) - norm(point - position[i]) : 0.0;
         addSpring(w.slots, c, add(wallLaw_, depth, p.radiusOf(i)));
       }

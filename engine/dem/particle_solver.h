@@ -43,6 +43,9 @@ class ParticleSolver {
 
   /// Length of the steps from now on, s; the scene's until this is called. save() leaves it out.
   void setStep(double seconds) { bed_.step = seconds; }
+  /// What the time is, s, by which walls move; without moving ones it need not be told. advance() goes on
+  /// from it. save() leaves it out.
+  void setTime(double seconds) { bed_.time = seconds; }
   /// Takes `steps` steps. Empty when all is well; else the bed must not be advanced
   /// further.
   [[nodiscard]] virtual std::optional<DemTrouble> advance(std::int64_t steps) = 0;

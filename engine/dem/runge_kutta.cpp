@@ -86,13 +86,14 @@ bool RungeKutta4::attempt(BedState& bed, bool force) {
     addRate(bed, weights[s]);
   }
   bed.budget.spend(finish(bed));
+  bed.time += bed.step;
   timer.lap(bed.seconds.integrate);
   return true;
 }
 
 void RungeKutta4::evaluate(BedState& bed, std::size_t stage) {
   std::fill(bed.loads.begin(), bed.loads.end(), Load{});
-  const Motion at = motionOf(bed);
+  const Motion at = motionOf(bed, bed.time + instants[stage] * bed.step);
   std::size_t before = 0;  // arrays of earlier blocks
   for (std::size_t b = 0; b < bed.contacts.blocks(); ++b) {
     contacts_.evaluate(bed, b, at, [&](ContactSlots& slots, std::size_t k) -> Tangential {

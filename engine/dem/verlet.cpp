@@ -53,7 +53,7 @@ void Verlet::begin(BedState& bed) {
   bed.team.run([&](int index) {
     Member m = start(bed, index);
     rebuild(bed, m, 0.0);
-    const Motion at = motionOf(bed);
+    const Motion at = motionOf(bed, bed.time);
     for (std::size_t b = m.blocks.begin; b < m.blocks.end; ++b)
       contacts_.evaluate(bed, b, at, [](ContactSlots& slots, std::size_t) { return inPlace(slots); });
     bed.team.barrier();
@@ -79,6 +79,7 @@ StepOutcome Verlet::advance(BedState& bed, std::int64_t steps, double maxOverlap
     bed.seconds.integrate += (1.0 - share) * m.others;
   });
   stepsBefore_ += outcome.steps;
+  bed.time += static_cast<double>(outcome.steps) * bed.step;
   for (const double v2 : fastest2_) outcome.finite &= std::isfinite(v2);
   if (outcome.steps < steps || !outcome.finite)
     for (std::size_t i = 0; i < bed.bodies.size(); ++i) bed.particles.position[i] = bed.bodies[i].position;
@@ -89,7 +90,7 @@ StepOutcome Verlet::advance(BedState& bed, std::int64_t steps, double maxOverlap
 // with who comes later in memory, and those have not moved yet. Only contacts that reach into the next
 // member's blocks come before that.
 void Verlet::walk(BedState& bed, Member& m, std::int64_t steps, double maxOverlap) {
-  const Motion at = motionOf(bed);
+  Motion at = motionOf(bed, bed.time);
   const auto addCrossing = [&](std::size_t b) {
     contacts_.addCrossing(bed, b, at, inPlace(bed.contacts.block(b).crossing));
   };
@@ -111,6 +112,7 @@ void Verlet::walk(BedState& bed, Member& m, std::int64_t steps, double maxOverla
     bed.team.barrier();
     m.sample(nullptr);
     const bool last = ++taken == steps;
+    at.time = bed.time + static_cast<double>(taken) * bed.step;
     for (std::size_t b = m.blocks.begin; b < m.blocks.end; ++b) {
       if (b < inner) addCrossing(b);
       contacts_.addWalls(bed, b, at);
@@ -123,7 +125,7 @@ void Verlet::walk(BedState& bed, Member& m, std::int64_t steps, double maxOverla
 
 // The pairs of a block and the end of its particles' step. Returns the square of the largest speed.
 double Verlet::finish(BedState& bed, std::size_t b, Member& m, const MotionKernel& kernel, bool last) {
-  const Motion at = motionOf(bed);
+  const Motion at = motionOf(bed, bed.time);
   ContactBlock& block = bed.contacts.block(b);
   const Tangential history = inPlace(block.near);
   double fastest2 = 0.0;

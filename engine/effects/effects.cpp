@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <numbers>
 
 namespace bedmix {
 
@@ -57,7 +58,28 @@ std::string cohesionNote(const Scene& scene) {
   return fmt::format("{}, up to gaps of {:.3g} m", law, cohesionRange(scene));
 }
 
+bool hasObstacles(const Scene& scene) { return !scene.obstacles.empty(); }
+std::string obstaclesNote(const Scene& scene) {
+  if (scene.obstacles.empty()) return "no tables [[obstacles]]";
+  std::size_t turning = 0;
+  for (const ObstacleSettings& o : scene.obstacles) turning += o.spinRpm.value_or(0.0) != 0.0;
+  return fmt::format("{} of them, {} turning", scene.obstacles.size(), turning);
+}
+
+bool vibrates(const Scene& scene) { return scene.floor.vibration.has_value(); }
+std::string vibrationNote(const Scene& scene) {
+  const auto& vibration = scene.floor.vibration;
+  if (!vibration) return "no table [floor.vibration]";
+  const double rate = 2.0 * std::numbers::pi * vibration->frequency;
+  const double acceleration = vibration->amplitude * rate * rate;
+  return scene.gravity > 0.0 ? fmt::format("acceleration up to {:.3g} m/s2, {:.3g} g", acceleration,
+                                           acceleration / scene.gravity)
+                             : fmt::format("acceleration up to {:.3g} m/s2", acceleration);
+}
+
 constexpr std::array table{
+    EffectInfo{"floor.vibration", "vibration of the floor", vibrates, vibrationNote},
+    EffectInfo{"obstacles", "obstacles", hasObstacles, obstaclesNote},
     EffectInfo{"particles.size", "sizes", [](const Scene& s) { return s.particles.size.has_value(); },
                mixedNote},
     EffectInfo{"particles.species", "species", [](const Scene& s) { return !s.particles.species.empty(); },

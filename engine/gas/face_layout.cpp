@@ -37,7 +37,7 @@ class Builder {
         if (open(i - 1, j) && open(i, j)) addUprightVolume(i, j);
     for (int j = 1; j <= g_.rows; ++j)
       for (int i = 0; i < g_.columns; ++i)
-        if (open(i, j - 1)) addLevelVolume(i, j);
+        if (open(i, j - 1) && (j == g_.rows || open(i, j))) addLevelVolume(i, j);
     return std::move(out_);
   }
 
@@ -57,9 +57,11 @@ class Builder {
       }
     for (int i = 0; i < g_.columns; ++i) {
       const int lowest = g_.lowestRow[i];
-      for (int j = -1; j < g_.rows; ++j) out_.voidageCell[out_.at(i, j)] = cell(i, std::max(j, lowest));
+      for (int j = -1; j < g_.rows; ++j)
+        out_.voidageCell[out_.at(i, j)] = static_cast<int>(g_.openCellFor(i, std::max(j, 0)));
       const double area = g_.dx(i) * g_.thickness;
-      out_.floor.push_back({out_.vFace(i, lowest), cell(i, lowest), area, g_.inletFlux[i] * area});
+      const int above = static_cast<int>(g_.openCellFor(i, lowest));
+      out_.floor.push_back({out_.vFace(i, lowest), above, area, g_.inletFlux[i] * area});
     }
   }
 
@@ -108,6 +110,11 @@ class Builder {
     // On the floor the neighbour is the face below it, which has no velocity.
     const bool onFloor = !open(i - 1, j - 1) && !open(i, j - 1);
     out_.acrossSide[f] = width * g_.thickness / (onFloor ? 0.5 * height : 0.5 * (height + g_.dy(j - 1)));
+    // Below an obstacle likewise; elsewhere the side above is that of the volume there.
+    if (j + 1 == g_.rows || (open(i - 1, j + 1) && open(i, j + 1))) return;
+    const bool belowCeiling = !open(i - 1, j + 1) && !open(i, j + 1);
+    out_.acrossSide[f + out_.stride] =
+        width * g_.thickness / (belowCeiling ? 0.5 * height : 0.5 * (height + g_.dy(j + 1)));
   }
 
   void addLevelVolume(int i, int j) {
@@ -117,6 +124,7 @@ class Builder {
     const int f = out_.vFace(i, j);
     addVolume({f, cell(i, j - 1), outlet ? -1 : cell(i, j), true, area, area * height});
     out_.alongSide[f] = area / g_.dy(j - 1);
+    if (!outlet && j + 1 < g_.rows && !open(i, j + 1)) out_.alongSide[f + out_.stride] = area / g_.dy(j);
     for (int next : {i - 1, i + 1}) {
       if (open(next, outlet ? j - 1 : j))
         out_.acrossSide[std::max(f, out_.vFace(next, j))] = sideArea / (0.5 * (g_.dx(i) + g_.dx(next)));

@@ -7,6 +7,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <numbers>
 #include <numeric>
 
 namespace bedmix {
@@ -93,9 +95,21 @@ std::string gasFile(const Frame& frame, const GasGrid& grid) {
   return file.bytes();
 }
 
+/// A circle as chords, a plate as its middle.
+void addOutline(std::vector<WallSegment>& lines, const WallSegment& wall) {
+  constexpr int chords = 64;
+  if (!isCircle(wall)) return lines.push_back({wall.a, wall.b});
+  const auto at = [&](int k) {
+    const double angle = 2.0 * std::numbers::pi * k / chords;
+    return wall.a + wall.radius * Vec2{std::cos(angle), std::sin(angle)};
+  };
+  for (int k = 0; k < chords; ++k) lines.push_back({at(k), at(k + 1)});
+}
+
 /// Lines, those of an open bed up to its height.
 std::string wallFile(const Scene& scene) {
-  const std::vector<WallSegment> walls = bedWalls(scene);
+  std::vector<WallSegment> walls = bedWalls(scene);
+  for (const WallSegment& wall : obstacleWalls(scene)) addOutline(walls, wall);
   std::vector<float> xyz;
   std::vector<std::int32_t> ends;
   for (const WallSegment& wall : walls) {

@@ -112,8 +112,10 @@ TEST(Exchange, GivesDragToTheFacesByBilinearWeights) {
 }
 
 /// Gas steps of these lengths, s, in turn.
-void expectMomentumConserved(const std::vector<double>& lengths) {
+void expectMomentumConserved(const std::vector<double>& lengths,
+                             const std::vector<ObstacleSettings>& obstacles = {}) {
   Scene scene = test::inclinedScene();
+  scene.obstacles = obstacles;
   scene.particles.density = 1.0;
   scene.gas->step = lengths.front();
   scene.gravity = 0.0;
@@ -160,6 +162,16 @@ void expectMomentumConserved(const std::vector<double>& lengths) {
 // So long that such light spheres relax to the gas within them.
 TEST(Exchange, MomentumIsConservedOverManyGasSteps) { expectMomentumConserved({2e-3}); }
 TEST(Exchange, MomentumIsConservedWhileGasStepsChange) { expectMomentumConserved({2e-3, 1e-3, 4e-3, 5e-4}); }
+
+// Particles are inside the obstacles, too.
+TEST(Exchange, MomentumIsConservedAroundObstacles) {
+  ObstacleSettings tube, plate;
+  tube.x = 0.04, tube.y = 0.12, tube.radius = 0.02;
+  plate.shape = ObstacleShape::segment;
+  plate.x1 = 0.03, plate.y1 = 0.2, plate.x2 = 0.096, plate.y2 = 0.23;
+  plate.thickness = 0.01;
+  expectMomentumConserved({2e-3}, {tube, plate});
+}
 
 /// Everything the exchange leaves behind after a few steps of particles in four blocks.
 struct Outcome {
