@@ -106,6 +106,29 @@ TEST(ResumeChosenSteps, GoesOnToTheBitAtFrames) {
   expectResumes(dry, 6 * stepsPerFrame(dry), 2 * stepsPerFrame(dry), 1, 3);
 }
 
+/// A tube that turns over a floor that moves, with gas or without.
+TEST(ResumeMovingWalls, GoesOnToTheBit) {
+  for (const bool gas : {true, false})
+    for (const Integrator integrator :
+         {Integrator::velocityVerlet, Integrator::verletOnset, Integrator::rk4}) {
+      Scene scene = sceneWith({"", integrator, true, {}});
+      if (gas) scene.gas = test::lowScene(60, 3.0).gas;
+      scene.floor.vibration = VibrationSettings{0.003, 30.0};
+      scene.obstacles.emplace_back();
+      ObstacleSettings& tube = scene.obstacles.back();
+      tube.x = 0.024, tube.y = 0.05, tube.radius = 0.008, tube.spinRpm = 120.0;
+      if (integrator == Integrator::rk4) {
+        expectResumes(scene, 3000, 1507, 1, 1);
+        continue;
+      }
+      expectResumes(scene, 6000, 3007, 1, 3);
+      if (integrator != Integrator::verletOnset) continue;
+      scene.time.step = StepLength::automatic();
+      if (gas) scene.gas->step = StepLength::automatic();
+      expectResumes(scene, 6 * stepsPerFrame(scene), 2 * stepsPerFrame(scene), 1, 3);
+    }
+}
+
 Scene largeScene() {
   Scene scene = test::paperScene(2.6);
   scene.bed.width = 0.48;
