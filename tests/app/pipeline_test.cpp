@@ -46,7 +46,7 @@ TEST_F(Pipeline, RunLeavesEveryFileOfARunFolder) {
   EXPECT_EQ(summary["end_reason"], "finished");
   EXPECT_EQ(summary["state_hash"].get<std::string>().size(), 16u);
   EXPECT_EQ(summary["settings"]["gas"]["drag"], "ergun-wen-yu");
-  EXPECT_EQ(summary["stages"].size(), 6u);
+  EXPECT_EQ(summary["stages"].size(), 7u);
 }
 
 TEST_F(Pipeline, SceneWithoutGasOrWindowLeavesNoFilesOfThem) {
