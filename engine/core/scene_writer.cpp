@@ -83,7 +83,7 @@ class TableWriter {
     const std::string path = pathOf(key);
     TableWriter inner(path + element);
     describe(value, inner);
-    tables_ += '\n' + fmt::format(fmt::runtime(header), path) + '\n' + inner.text();
+    tables_ += '\n' + fmt::format(fmt::runtime(header), withoutNumbers(path)) + '\n' + inner.text();
     for (SceneSetting& setting : inner.settings()) innerSettings_.push_back(std::move(setting));
   }
 

@@ -68,10 +68,10 @@ TEST_P(GasAroundATube, KeepsItsMassAndItsSymmetry) {
     for (int c = 0; c < columns; ++c) {
       const int mirror = columns - 1 - c;
       const double up = gas.fields().velocity[gas.layout().vFace(c, row)];
-      // To what iterations leave of it.
-      EXPECT_NEAR(up, gas.fields().velocity[gas.layout().vFace(mirror, row)], 1e-8);
+      // To where the momentum predictor stops, 1e-6 of the largest velocity.
+      EXPECT_NEAR(up, gas.fields().velocity[gas.layout().vFace(mirror, row)], 1e-6);
       EXPECT_NEAR(gas.fields().velocity[gas.layout().uFace(c, row)],
-                  -gas.fields().velocity[gas.layout().uFace(mirror + 1, row)], 1e-8);
+                  -gas.fields().velocity[gas.layout().uFace(mirror + 1, row)], 1e-6);
       const double fromX = (c + 0.5) * 0.005 - 0.0025 * columns, fromY = (row + 0.5) * 0.005 - 0.08;
       EXPECT_EQ(gas.grid().open(c, row), std::hypot(fromX, fromY) >= 0.0151);
       if (gas.grid().open(c, row)) continue;

@@ -42,6 +42,14 @@ std::vector<Override> turningOn(const std::string& key) {
     return {{"cohesion", "{van_der_waals = {hamaker = 1e-18, cutoff = 1e-5}}"}};
   if (key.starts_with("cohesion.liquid_bridge"))
     return {{"cohesion", "{liquid_bridge = {surface_tension = 0.01}}"}};
+  if (key.starts_with("heat")) return {{"heat", "{heat_capacity = 840.0, conductivity = 1.0, gas = {}}"}};
+  if (key.starts_with("gas.inlets.pulse")) {
+    const char* shape = key.ends_with("duty") ? "square" : "sine";
+    return {
+        {"gas.inlets.0.pulse", std::string("{frequency = 20.0, amplitude = 0.5, shape = '") + shape + "'}"}};
+  }
+  if (key.starts_with("gas.inlets.schedule"))
+    return {{"gas.inlets.0.schedule", "[{time = 0.0, factor = 1.0}, {time = 1.0, factor = 1.1}]"}};
   if (key.starts_with("cohesion.sjkr")) return {{"cohesion", "{sjkr = {energy_density = 1e3}}"}};
   return {};
 }
@@ -72,6 +80,22 @@ const std::map<std::string, std::vector<Override>> otherValues{
     {"cohesion.van_der_waals.least_gap", {{"cohesion.van_der_waals.least_gap", "1e-9"}}},
     {"cohesion.liquid_bridge.surface_tension", {{"cohesion.liquid_bridge.surface_tension", "0.02"}}},
     {"cohesion.sjkr.energy_density", {{"cohesion.sjkr.energy_density", "2e3"}}},
+    {"heat.heat_capacity", {{"heat.heat_capacity", "500.0"}}},
+    {"heat.conductivity", {{"heat.conductivity", "0.5"}}},
+    {"heat.wall_temperature", {{"heat.wall_temperature", "350.0"}}},
+    {"heat.youngs_modulus", {{"heat.youngs_modulus", "6e10"}}},
+    {"heat.poisson_ratio", {{"heat.poisson_ratio", "0.3"}}},
+    {"heat.gas.heat_capacity", {{"heat.gas.heat_capacity", "2000.0"}}},
+    {"heat.gas.conductivity", {{"heat.gas.conductivity", "0.05"}}},
+    {"heat.gas.temperature", {{"heat.gas.temperature", "400.0"}}},
+    {"heat.gas.inlet_temperature", {{"heat.gas.inlet_temperature", "400.0"}}},
+    {"gas.inlets.pulse.shape", {{"gas.inlets.0.pulse.shape", "square"}}},
+    {"gas.inlets.pulse.frequency", {{"gas.inlets.0.pulse.frequency", "10.0"}}},
+    {"gas.inlets.pulse.amplitude", {{"gas.inlets.0.pulse.amplitude", "0.2"}}},
+    {"gas.inlets.pulse.duty", {{"gas.inlets.0.pulse.duty", "0.4"}}},
+    {"gas.inlets.pulse.phase", {{"gas.inlets.0.pulse.phase", "0.5"}}},
+    {"gas.inlets.schedule.time", {{"gas.inlets.0.schedule.1.time", "2.0"}}},
+    {"gas.inlets.schedule.factor", {{"gas.inlets.0.schedule.1.factor", "0.9"}}},
     {"time.error", {{"time.error", "0.02"}}},
     {"gas.density", {{"gas.density", "2.0"}}},
     {"gas.viscosity", {{"gas.viscosity", "3e-5"}}},
