@@ -69,7 +69,7 @@ struct CoupledGas {
 
   void setInlets(const Scene& scene) {
     flow.reset();
-    if (InletFlow::changes(scene)) flow.emplace(scene, solver.grid());
+    if (InletFlow::changes(scene)) flow.emplace(scene, makeGasGrid(scene));
   }
   /// The longest that the coming step may be, s.
   double longestStep() {

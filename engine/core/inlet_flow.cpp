@@ -27,7 +27,7 @@ InletFlow::InletFlow(const Scene& scene, const GasGrid& grid)
       longestStep_ = std::min(longestStep_, 1.0 / (stepsInAPeriod * inlets_[i].pulse->frequency));
     for (std::size_t c = 0; c < flux_.size(); ++c) {
       const double covered = std::min(grid.x[c + 1], inlets_[i].to) - std::max(grid.x[c], inlets_[i].from);
-      if (covered > 0.0)
+      if (covered > 0.0 && grid.inletFlux[c] > 0.0)  // else what enters there is left out
         parts_.push_back({i, c, covered / (grid.x[c + 1] - grid.x[c]) * inletVelocity(scene, inlets_[i])});
     }
   }

@@ -14,6 +14,7 @@ class InletFlow {
   /// Whether any inlet of a scene with gas changes in time.
   static bool changes(const Scene& scene);
 
+  /// Of a grid as makeGasGrid() gives it.
   InletFlow(const Scene& scene, const GasGrid& grid);
 
   /// Mean over [from, from + length], s, as GasGrid::inletFlux has it; a schedule counts as in the middle.
