@@ -28,6 +28,8 @@ constexpr double spacing = 0.999, stir = 0.05;  // diameters; m/s
 std::optional<Scene> without(const Scene& scene, const std::vector<std::string_view>& tables) {
   std::vector<Override> removed;
   for (const std::string_view table : tables) removed.push_back({std::string(table), ""});
+  const bool losesKinds = std::find(tables.begin(), tables.end(), "particles.species") != tables.end();
+  if (losesKinds && !scene.contacts.pairs.empty()) removed.push_back({"contacts.pairs", ""});
   Result<Scene> changed = readScene(writeScene(scene), scene.name, removed);
   if (!changed) return std::nullopt;
   return std::move(*changed);
@@ -111,6 +113,8 @@ Lesser withoutEffect(const Scene& scene, const EffectInfo& effect) {
 std::optional<EffectPrices> measureEffectPrices(const Scene& asked) {
   if (asked.particles.count == 0 || asked.particles.count > mostParticles) return std::nullopt;
   Scene scene = asked;
+  scene.pictures.reset();  // which may show an effect, as may what is tracer
+  scene.tracer = {};
   scene.limits.maxOverlap = scene.limits.warnOverlap = 1.0;
   std::vector<Lesser> lessers;
   std::vector<Trial> trials;
