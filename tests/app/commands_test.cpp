@@ -38,7 +38,8 @@ TEST_F(Commands, EveryBundledSceneIsValid) {
     EXPECT_GT(report["effort"]["run time"]["value"], 0.0) << scene["name"];
     const auto& step = report["step margins"]["particle step"]["value"];
     if (step == "auto") continue;  // never above that
-    EXPECT_GE(report["time scales"]["contact time scale T"]["value"].get<double>(), 14.0 * step.get<double>());
+    EXPECT_GE(report["time scales"]["contact time scale T"]["value"].get<double>(),
+              14.0 * step.get<double>());
   }
 }
 

@@ -158,8 +158,7 @@ TEST(ParticleRules, TellWhatDoesNotFit) {
   };
   EXPECT_TRUE(has(problemOf("[[particles.species]]\nname = \"big\"\ncount = 101\n"), "what they leave"));
   EXPECT_TRUE(has(problemOf("[[particles.species]]\nname = \"first\"\ncount = 1\n"), "another is"));
-  EXPECT_TRUE(
-      has(problemOf("[[particles.species]]\nname = \"big\"\ncount = 1\ndiameter = 0.02\n"), "thick"));
+  EXPECT_TRUE(has(problemOf("[[particles.species]]\nname = \"big\"\ncount = 1\ndiameter = 0.02\n"), "thick"));
   EXPECT_TRUE(has(problemOf("[[particles.species]]\nname = \"s\"\ncount = 1\ndiameter = 0.0001\n"),
                   "times as large"));
   EXPECT_TRUE(has(problemOf("[particles.size]\ndeviation = 0.5\ncut = 3.0\n"), "no diameter left"));

@@ -63,7 +63,7 @@ INSTANTIATE_TEST_SUITE_P(All, Rolling,
                          testing::Values(RollingModel::elasticPlastic, RollingModel::constantTorque),
                          [](const auto& tried) {
                            return tried.param == RollingModel::elasticPlastic ? "ElasticPlastic"
-                                                                             : "ConstantTorque";
+                                                                              : "ConstantTorque";
                          });
 
 /// Ai et al. (2011), their first test: type C comes to rest, type A goes on to and fro.
