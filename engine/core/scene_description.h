@@ -116,7 +116,8 @@ void describe(ContactSettings& s, V& visit) {
   visit(Key{"hertz", "", {}, "switches on Hertzian contacts of elastic spheres, instead of stiffness"},
         s.hertz);
   if (s.hertz) s.stiffness.reset();  // which is there only where it is given, too
-  visit(Key{"stiffness", "N/m", positive, "normal spring, of pairs and walls; or give hertz", !s.hertz},
+  visit(Key{"stiffness", "N/m", positive, "normal spring, of pairs and walls; or give hertz",
+            !s.hertz},
         s.stiffness);
   visit(Key{"restitution", "", {0.0, 1.0, true}, "rebound over approach speed; or give damping"},
         s.restitution);
