@@ -37,7 +37,7 @@ void drawSegment(DrawList& list, const WallSegment& wall, const Camera& camera, 
 /// What is below a raised floor.
 void drawSolid(DrawList& list, const WallSegment& floor, const Camera& camera, Rgba color) {
   const Vec2f a = camera.toPixel(floor.a), b = camera.toPixel(floor.b);
-  if (a.y == camera.origin.y && b.y == camera.origin.y) return;
+  if (a.y >= camera.origin.y && b.y >= camera.origin.y) return;  // one that moves may be lower
   const Vec2f belowA{a.x, camera.origin.y}, belowB{b.x, camera.origin.y};
   list.triangles.push_back({a, b, belowB, color});
   list.triangles.push_back({a, belowB, belowA, color});
@@ -69,6 +69,7 @@ void drawInlet(DrawList& list, const WallSegment& floor, double from, double to,
 void drawWalls(DrawList& list, const Scene& scene, const Camera& camera, float em, const Palette& palette,
                double time) {
   drawObstacles(list, scene, camera, wallWidth(em), palette);
+  if (hasDrum(scene)) return;  // nobody meets the others
   std::vector<WallSegment> walls = bedWalls(scene);
   for (WallSegment& wall : walls) wall = wallAt(wall, time);
   for (const WallSegment& wall : walls) {

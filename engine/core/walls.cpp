@@ -103,6 +103,11 @@ std::vector<WallSegment> obstacleWalls(const Scene& scene) {
   return walls;
 }
 
+bool hasDrum(const Scene& scene) {
+  return std::any_of(scene.obstacles.begin(), scene.obstacles.end(),
+                     [](const ObstacleSettings& o) { return o.shape == ObstacleShape::drum; });
+}
+
 std::vector<WallSegment> allWalls(const Scene& scene) {
   std::vector<WallSegment> walls = bedWalls(scene);
   const std::vector<WallSegment> obstacles = obstacleWalls(scene);

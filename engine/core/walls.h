@@ -36,6 +36,9 @@ std::vector<WallSegment> bedWalls(const Scene& scene);
 /// What stands in the bed. An end that two segments share belongs to the first of them.
 std::vector<WallSegment> obstacleWalls(const Scene& scene);
 
+/// Whether particles are in a drum.
+bool hasDrum(const Scene& scene);
+
 /// All that particles meet.
 std::vector<WallSegment> allWalls(const Scene& scene);
 

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <tuple>
 
 namespace bedmix {
 namespace {
@@ -45,6 +46,34 @@ TEST(DrawWalls, ALidClosesTheBed) {
   const DrawList list = walls(scene);
   ASSERT_EQ(list.lines.size(), 4u);
   EXPECT_FLOAT_EQ(list.lines[3].from.y + 0.5f * list.lines[3].width, 60.0f);  // 420 mm up
+}
+
+TEST(DrawWalls, AMovingFloorIsDrawnWhereItIs) {
+  Scene scene = test::gaslessBed();
+  scene.floor.vibration = VibrationSettings{0.01, 1.0};
+  for (const auto& [time, y, solids] :
+       {std::tuple{0.0, 900.0f, 0u}, {0.25, 880.0f, 2u}, {0.75, 920.0f, 0u}}) {
+    DrawList list;
+    list.clip = {0.0f, 20.0f, 400.0f, 1000.0f};
+    drawWalls(list, scene, camera, em, {}, time);
+    ASSERT_EQ(list.lines.size(), 3u);
+    EXPECT_NEAR(list.lines[1].from.y - 0.5f * list.lines[1].width, y, 1e-3f);
+    EXPECT_EQ(list.triangles.size(), solids);
+  }
+}
+
+TEST(DrawWalls, ADrumIsAllThereIs) {
+  Scene scene = test::gaslessBed();
+  scene.obstacles.emplace_back();
+  scene.obstacles[0].shape = ObstacleShape::drum;
+  scene.obstacles[0].x = 0.048, scene.obstacles[0].y = 0.06, scene.obstacles[0].radius = 0.04;
+  const DrawList list = walls(scene);
+  ASSERT_GT(list.lines.size(), 60u);
+  const Vec2f centre = camera.toPixel(Vec2{0.048, 0.06});
+  for (const Line& line : list.lines) {
+    const Vec2f middle = (line.from + line.to) * 0.5f;
+    EXPECT_NEAR(norm(middle - centre) - 0.5f * line.width, 80.0f, 0.1f);
+  }
 }
 
 TEST(DrawWalls, AnInclineStandsOnASolid) {
