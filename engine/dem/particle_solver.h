@@ -62,6 +62,8 @@ class ParticleSolver {
   const Particles& particles() const { return bed_.particles; }
   /// Who may touch whom, by places in memory; from the first advance() on.
   const ContactList& contacts() const { return bed_.contacts; }
+  /// One of their walls, where it is now.
+  WallShape wallNow(std::size_t wall) const { return bed_.contacts.walls()[wall].at(bed_.timeAfter(0.0)); }
 
   /// Deepest contact since the start, of the smallest diameter, and the id of one whose it was (-1 without
   /// any).

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "engine/dem/contact_list.h"
-#include "engine/dem/particles.h"
+#include "engine/dem/particle_solver.h"
 #include "engine/effects/heat_laws.h"
 
 #include <optional>
@@ -17,13 +16,15 @@ class ContactHeat {
   explicit ContactHeat(const Scene& scene);  // with heat
 
   /// Sets the flow to each particle, W, from the temperatures, K.
-  void evaluate(const ContactList& contacts, const Particles& particles,
-                const std::vector<double>& temperature, std::vector<double>& flow, ThreadTeam& team);
+  void evaluate(const ParticleSolver& solver, const std::vector<double>& temperature,
+                std::vector<double>& flow, ThreadTeam& team);
 
  private:
-  void ownContacts(const ContactBlock& block, const ContactList& contacts, const Particles& particles,
+  void ownContacts(const ContactBlock& block, const ParticleSolver& solver,
                    const std::vector<double>& temperature, std::vector<double>& crossing,
                    std::vector<double>& flow) const;
+  void wallContacts(const ContactBlock& block, const ParticleSolver& solver,
+                    const std::vector<double>& temperature, std::vector<double>& flow) const;
 
   ConductionLaw law_;
   std::optional<double> wallTemperature_;      // K

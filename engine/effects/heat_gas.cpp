@@ -37,8 +37,8 @@ GasHeat::GasHeat(const Scene& scene, const GasSolver& gas, const std::vector<dou
                   side(right, at(i + 1, j), 1.0, upright, halfWidth(i), halfWidth(i + 1)),
                   side(bottom, at(i, j - 1), -1.0, level, halfHeight(j), halfHeight(j - 1)),
                   side(top, at(i, j + 1), 1.0, level, halfHeight(j), halfHeight(j + 1))};
-    cell.sides[2].isFloor = cell.sides[2].beyond < 0;
-    cell.sides[3].isOutlet = cell.sides[3].beyond < 0;
+    cell.sides[2].isFloor = j == grid.lowestRow[i];
+    cell.sides[3].isOutlet = j == grid.rows - 1;
   }
   temperature_.assign(grid.cells(), heat.gas->temperature);
   coefficient_.assign(grid.cells(), 0.0);

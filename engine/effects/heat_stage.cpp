@@ -75,7 +75,7 @@ void HeatStage::act(double passed, double) {
     here_[i] = temperature_[particles.id[i]];
     capacity_[i] = perMass_ * particles.massOf(i);
   }
-  contacts_.evaluate(context_.solver.contacts(), particles, here_, flow_, context_.team);
+  contacts_.evaluate(context_.solver, here_, flow_, context_.team);
   for (std::size_t i = 0; i < here_.size(); ++i) here_[i] += passed * flow_[i] / capacity_[i];
   if (gas_) exchange(passed);
   for (std::size_t i = 0; i < here_.size(); ++i) temperature_[particles.id[i]] = here_[i];
