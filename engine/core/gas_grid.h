@@ -24,8 +24,8 @@ struct GasGrid {
   /// Per cell, where there are obstacles, else empty: of an open cell itself, of a blocked one the nearest
   /// open cell.
   std::vector<std::int32_t> openCell;
-  /// Per cell, where there are obstacles, else empty: what is free, m3, in it and in the blocked cells that it
-  /// stands for.
+  /// Per cell, where there are obstacles, else empty: what is free, m3, in it and in the blocked cells that
+  /// it stands for.
   std::vector<double> freeVolume;
 
   std::size_t cells() const { return static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows); }

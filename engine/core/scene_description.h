@@ -116,8 +116,7 @@ void describe(ContactSettings& s, V& visit) {
   visit(Key{"hertz", "", {}, "switches on Hertzian contacts of elastic spheres, instead of stiffness"},
         s.hertz);
   if (s.hertz) s.stiffness.reset();  // which is there only where it is given, too
-  visit(Key{"stiffness", "N/m", positive, "normal spring, of pairs and walls; or give hertz",
-            !s.hertz},
+  visit(Key{"stiffness", "N/m", positive, "normal spring, of pairs and walls; or give hertz", !s.hertz},
         s.stiffness);
   visit(Key{"restitution", "", {0.0, 1.0, true}, "rebound over approach speed; or give damping"},
         s.restitution);
@@ -267,7 +266,7 @@ void describe(Scene& s, V& visit) {
   visit(Key{"floor", "", {}, "the distributor"}, s.floor);
   visit(Key{"obstacles", "", {}, "tubes, plates, hopper walls and drums"}, s.obstacles);
   visit(Key{"particles", "", {}, "the solids", true}, s.particles);
-  visit(Key{"contacts", "", {}, "linear spring and dashpot", true}, s.contacts);
+  visit(Key{"contacts", "", {}, "what happens where bodies touch", true}, s.contacts);
   visit(Key{"time", "", {}, "duration and step", true}, s.time);
   visit(Key{"start", "", {}, "how the run begins"}, s.start);
   visit(Key{"tracer", "", {}, "what mixes with what"}, s.tracer);

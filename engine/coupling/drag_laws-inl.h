@@ -8,8 +8,8 @@
 #define BEDMIX_COUPLING_DRAG_LAWS_INL_H_
 #endif
 
-#include "engine/coupling/drag_laws.h"
 #include "engine/core/power-inl.h"
+#include "engine/coupling/drag_laws.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace bedmix::HWY_NAMESPACE {

@@ -59,9 +59,7 @@ std::string cohesionNote(const Scene& scene) {
 }
 
 bool hasHeat(const Scene& scene) { return scene.effects.find<HeatSettings>() != nullptr; }
-std::string heatNoteOrNone(const Scene& scene) {
-  return hasHeat(scene) ? heatNote(scene) : "no table [heat]";
-}
+std::string heatNoteOf(const Scene& scene) { return hasHeat(scene) ? heatNote(scene) : "no table [heat]"; }
 
 bool hasObstacles(const Scene& scene) { return !scene.obstacles.empty(); }
 std::string obstaclesNote(const Scene& scene) {
@@ -94,7 +92,7 @@ constexpr std::array table{
     EffectInfo{"contacts.friction", "friction", hasFriction, frictionNote},
     EffectInfo{"contacts.rolling", "rolling resistance", hasRolling, rollingNote},
     EffectInfo{"cohesion", "cohesion", hasCohesion, cohesionNote},
-    EffectInfo{"heat", "heat", hasHeat, heatNoteOrNone},
+    EffectInfo{"heat", "heat", hasHeat, heatNoteOf},
 };
 
 }  // namespace

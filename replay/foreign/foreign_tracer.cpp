@@ -47,7 +47,8 @@ Result<ForeignTracer> ForeignTracer::of(const Frame& first, std::span<const std:
     tracer.rest_ = *there.begin();
     return tracer;
   }
-  const std::vector<std::uint8_t> tags = tagTracer(scene.tracer.rule, first.position, first.kind, scene.bed.width);
+  const std::vector<std::uint8_t> tags =
+      tagTracer(scene.tracer.rule, first.position, first.kind, scene.bed.width);
   for (std::size_t i = 0; i < tags.size(); ++i)
     if (tags[i] == 1) tracer.taggedIds_.push_back(first.id[i]);
   return tracer;

@@ -1,12 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "engine/core/obstacle_rules.h"
 
-#include "engine/core/scene_reader.h"
+#include "tests/core/spoiled_scene.h"
 
 #include <gtest/gtest.h>
-
-#include <functional>
-#include <string>
 
 namespace bedmix {
 namespace {
@@ -64,14 +61,9 @@ void makeDrum(Scene& s) {
   s.obstacles[0].radius = 0.05;
 }
 
-struct SpoiledObstacle {
-  const char* name;
-  std::function<void(Scene&)> spoil;
-  const char* path;
-  const char* reason;
-};
+using test::Spoiled;
 
-class ObstacleRule : public ::testing::TestWithParam<SpoiledObstacle> {};
+class ObstacleRule : public ::testing::TestWithParam<Spoiled> {};
 
 TEST(ObstacleRules, SoundScenesBreakNone) {
   Scene scene = obstacleScene();
@@ -91,74 +83,65 @@ TEST(ObstacleRules, ReadWhatIsWritten) {
   EXPECT_EQ(again->floor.vibration->amplitude, 0.005);
 }
 
-TEST_P(ObstacleRule, IsReportedOnceWithItsReason) {
-  Scene scene = obstacleScene();
-  GetParam().spoil(scene);
-  const auto found = contradictions(scene);
-  ASSERT_EQ(found.size(), 1u);
-  EXPECT_EQ(found[0].path, GetParam().path);
-  EXPECT_NE(found[0].message.find(GetParam().reason), std::string::npos) << found[0].message;
-}
+TEST_P(ObstacleRule, IsReportedOnceWithItsReason) { test::expectReportedOnce(obstacleScene(), GetParam()); }
 
 INSTANTIATE_TEST_SUITE_P(
     Scene, ObstacleRule,
-    ::testing::Values(SpoiledObstacle{"NoRadius", [](Scene& s) { s.obstacles[0].radius.reset(); },
-                                      "obstacles.0.radius", "a circle needs radius"},
-                      SpoiledObstacle{"CircleWithEnds", [](Scene& s) { s.obstacles[0].x1 = 0.0; },
-                                      "obstacles.0.x1", "has no x1"},
-                      SpoiledObstacle{"FarAway", [](Scene& s) { s.obstacles[0].x = 0.2; }, "obstacles.0.x",
-                                      "outside the bed"},
-                      SpoiledObstacle{"SmoothSpin",
-                                      [](Scene& s) {
-                                        s.obstacles[0].spinRpm = 10.0;
-                                        s.contacts.friction.reset();
-                                      },
-                                      "obstacles.0.spin_rpm", "contacts.friction"},
-                      SpoiledObstacle{"SegmentWithoutEnd", [](Scene& s) { s.obstacles[1].y2.reset(); },
-                                      "obstacles.1.y2", "a segment needs y2"},
-                      SpoiledObstacle{"SegmentThatTurns", [](Scene& s) { s.obstacles[1].spinRpm = 1.0; },
-                                      "obstacles.1.spin_rpm", "has no spin_rpm"},
-                      SpoiledObstacle{"PointSegment",
-                                      [](Scene& s) {
-                                        s.obstacles[1].x2 = 0.0;
-                                        s.obstacles[1].y2 = 0.05;
-                                      },
-                                      "obstacles.1.x2", "the same point"},
-                      SpoiledObstacle{"SegmentThroughTheWall", [](Scene& s) { s.obstacles[1].x2 = 0.11; },
-                                      "obstacles.1.x2", "outside the bed"},
-                      SpoiledObstacle{"DrumWithGas",
-                                      [](Scene& s) { s.obstacles[0].shape = ObstacleShape::drum; },
-                                      "obstacles.0.shape", "leave out [gas]"},
-                      SpoiledObstacle{"DrumThroughTheWall",
-                                      [](Scene& s) {
-                                        makeDrum(s);
-                                        s.obstacles[0].x = 0.06;
-                                      },
-                                      "obstacles.0.radius", "beyond the bed"},
-                      SpoiledObstacle{"NarrowDrum",
-                                      [](Scene& s) {
-                                        makeDrum(s);
-                                        s.obstacles[0].radius = 0.007;
-                                      },
-                                      "obstacles.0.radius", "too narrow"},
-                      SpoiledObstacle{"TwoDrums",
-                                      [](Scene& s) {
-                                        makeDrum(s);
-                                        s.obstacles.push_back(s.obstacles[0]);
-                                      },
-                                      "obstacles.1.shape", "one drum only"},
-                      SpoiledObstacle{"BlockedInlet",
-                                      [](Scene& s) {
-                                        s.obstacles[1].y1 = 0.03;
-                                        s.obstacles[1].x2 = 0.03;
-                                        s.obstacles[1].y2 = 0.0;
-                                      },
-                                      "gas.inlets.0.from", "obstacles close the gas cell"},
-                      SpoiledObstacle{"WideVibration", [](Scene& s) { s.floor.vibration->amplitude = 0.006; },
-                                      "floor.vibration.amplitude", "half a gas cell"},
-                      SpoiledObstacle{"FastVibration", [](Scene& s) { s.floor.vibration->frequency = 500.0; },
-                                      "floor.vibration.frequency", "within a contact"}),
-    [](const auto& param) { return std::string(param.param.name); });
+    ::testing::Values(
+        Spoiled{"NoRadius", [](Scene& s) { s.obstacles[0].radius.reset(); }, "obstacles.0.radius",
+                "a circle needs radius"},
+        Spoiled{"CircleWithEnds", [](Scene& s) { s.obstacles[0].x1 = 0.0; }, "obstacles.0.x1", "has no x1"},
+        Spoiled{"FarAway", [](Scene& s) { s.obstacles[0].x = 0.2; }, "obstacles.0.x", "outside the bed"},
+        Spoiled{"SmoothSpin",
+                [](Scene& s) {
+                  s.obstacles[0].spinRpm = 10.0;
+                  s.contacts.friction.reset();
+                },
+                "obstacles.0.spin_rpm", "contacts.friction"},
+        Spoiled{"SegmentWithoutEnd", [](Scene& s) { s.obstacles[1].y2.reset(); }, "obstacles.1.y2",
+                "a segment needs y2"},
+        Spoiled{"SegmentThatTurns", [](Scene& s) { s.obstacles[1].spinRpm = 1.0; }, "obstacles.1.spin_rpm",
+                "has no spin_rpm"},
+        Spoiled{"PointSegment",
+                [](Scene& s) {
+                  s.obstacles[1].x2 = 0.0;
+                  s.obstacles[1].y2 = 0.05;
+                },
+                "obstacles.1.x2", "the same point"},
+        Spoiled{"SegmentThroughTheWall", [](Scene& s) { s.obstacles[1].x2 = 0.11; }, "obstacles.1.x2",
+                "outside the bed"},
+        Spoiled{"DrumWithGas", [](Scene& s) { s.obstacles[0].shape = ObstacleShape::drum; },
+                "obstacles.0.shape", "leave out [gas]"},
+        Spoiled{"DrumThroughTheWall",
+                [](Scene& s) {
+                  makeDrum(s);
+                  s.obstacles[0].x = 0.06;
+                },
+                "obstacles.0.radius", "beyond the bed"},
+        Spoiled{"NarrowDrum",
+                [](Scene& s) {
+                  makeDrum(s);
+                  s.obstacles[0].radius = 0.007;
+                },
+                "obstacles.0.radius", "too narrow"},
+        Spoiled{"TwoDrums",
+                [](Scene& s) {
+                  makeDrum(s);
+                  s.obstacles.push_back(s.obstacles[0]);
+                },
+                "obstacles.1.shape", "one drum only"},
+        Spoiled{"BlockedInlet",
+                [](Scene& s) {
+                  s.obstacles[1].y1 = 0.03;
+                  s.obstacles[1].x2 = 0.03;
+                  s.obstacles[1].y2 = 0.0;
+                },
+                "gas.inlets.0.from", "obstacles close the gas cell"},
+        Spoiled{"WideVibration", [](Scene& s) { s.floor.vibration->amplitude = 0.006; },
+                "floor.vibration.amplitude", "half a gas cell"},
+        Spoiled{"FastVibration", [](Scene& s) { s.floor.vibration->frequency = 500.0; },
+                "floor.vibration.frequency", "within a contact"}),
+    test::nameOfSpoiled);
 
 }  // namespace
 }  // namespace bedmix

@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "engine/core/scene_reader.h"
+#include "tests/core/spoiled_scene.h"
 
 #include <gtest/gtest.h>
-
-#include <functional>
-#include <string>
 
 namespace bedmix {
 namespace {
@@ -23,25 +20,13 @@ Scene soundScene() {
   return s;
 }
 
-struct Spoiled {
-  const char* name;
-  std::function<void(Scene&)> spoil;
-  const char* path;
-  const char* reason;
-};
+using test::Spoiled;
 
 class Rule : public ::testing::TestWithParam<Spoiled> {};
 
 TEST(Rules, SoundSceneBreaksNone) { EXPECT_TRUE(contradictions(soundScene()).empty()); }
 
-TEST_P(Rule, IsReportedOnceWithItsReason) {
-  Scene scene = soundScene();
-  GetParam().spoil(scene);
-  const auto found = contradictions(scene);
-  ASSERT_EQ(found.size(), 1u);
-  EXPECT_EQ(found[0].path, GetParam().path);
-  EXPECT_NE(found[0].message.find(GetParam().reason), std::string::npos) << found[0].message;
-}
+TEST_P(Rule, IsReportedOnceWithItsReason) { test::expectReportedOnce(soundScene(), GetParam()); }
 
 INSTANTIATE_TEST_SUITE_P(
     Scene, Rule,
@@ -180,8 +165,16 @@ INSTANTIATE_TEST_SUITE_P(
                   s.pictures.emplace().layers = {Layer::trails};
                 },
                 "pictures.layers", "give their numbers"},
+        Spoiled{"ScheduleThatGoesBack",
+                [](Scene& s) {
+                  s.gas->inlets[0].schedule = {{0.0, 1.0}, {0.2, 0.5}, {0.1, 1.0}};
+                },
+                "gas.inlets.0.schedule.2.time", "follow each other"},
+        Spoiled{"PulseWithinAStep",
+                [](Scene& s) { s.gas->inlets[1].pulse = PulseSettings{.frequency = 0.2 / s.gas->step}; },
+                "gas.inlets.1.pulse.frequency", "at most a tenth"},
         Spoiled{"Limits", [](Scene& s) { s.limits.warnOverlap = 0.2; }, "limits.warn_overlap", "above"}),
-    [](const auto& spoiled) { return std::string(spoiled.param.name); });
+    test::nameOfSpoiled);
 
 TEST(Rules, ChosenStepsFitAnyInterval) {
   Scene scene = soundScene();
