@@ -21,7 +21,7 @@ namespace {
 constexpr int turns = 5;                        // of which the median counts
 constexpr std::int64_t fewestSteps = 20;        // in a turn
 constexpr double turnSeconds = 0.02;            // of wall time, at least
-constexpr std::int64_t mostParticles = 50000;   // with which that is a moment
+constexpr std::int64_t mostPriced = 50000;   // with which that is a moment
 constexpr double spacing = 0.999, stir = 0.05;  // diameters; m/s
 
 /// The scene without some tables; none where it cannot be.
@@ -111,7 +111,7 @@ Lesser withoutEffect(const Scene& scene, const EffectInfo& effect) {
 }  // namespace
 
 std::optional<EffectPrices> measureEffectPrices(const Scene& asked) {
-  if (asked.particles.count == 0 || asked.particles.count > mostParticles) return std::nullopt;
+  if (asked.particles.count == 0 || asked.particles.count > mostPriced) return std::nullopt;
   Scene scene = asked;
   scene.pictures.reset();  // which may show an effect, as may what is tracer
   scene.tracer = {};

@@ -142,9 +142,7 @@ struct Simulation::State {
   std::unique_ptr<ParticleSolver> solver;
   std::unique_ptr<CoupledGas> gas;
   std::vector<std::unique_ptr<EffectStage>> effects;
-  std::vector<std::uint8_t> species;
-  std::vector<std::int32_t> id;
-  ParticleList list;                       // empty where all are alike
+  std::vector<std::uint8_t> species;       // by row
   std::optional<ParticleStep> chosenStep;  // where the scene gives none
   std::int64_t step = 0, particleSteps = 0, gasSteps = 0;
   std::int64_t stretch = 0;     // ticks from one gas step, or choice of steps, to the next
@@ -154,6 +152,7 @@ struct Simulation::State {
   bool gasFailed = false;
 
   std::int64_t nextStretch() const;
+  void letInAndOut();
   void actOut(std::int64_t before);
   std::optional<std::string> gasStep();
   ParticleStep::Outcome moveParticles(std::int64_t ticks);
@@ -169,6 +168,20 @@ std::int64_t Simulation::State::nextStretch() const {
   if (gas) return ticksWithin(std::min(longest, gas->longestStep()), scene, step);
   if (chosenStep) longest = std::min(longest, contactTimeScale(scene));
   return std::isfinite(longest) ? ticksWithin(longest, scene, step) : stepsPerFrame(scene);
+}
+
+/// After the present stretch.
+void Simulation::State::letInAndOut() {
+  const double passed = static_cast<double>(stretch) * tick(scene);
+  for (const auto& effect : effects) {
+    const PopulationChange change = effect->exchange(passed);
+    report.waitingLargest = std::max(report.waitingLargest, effect->waiting());
+    if (change.empty()) continue;
+    change.apply(species, [this](const PopulationChange::Newcomer& newcomer) {
+      return tagOfFed(scene.tracer.rule, newcomer.kind);
+    });
+    for (const auto& other : effects) other->follow(change);
+  }
 }
 
 /// After a stretch of `before` ticks, with the coming one chosen.
@@ -290,9 +303,6 @@ Simulation::Simulation(const Scene& scene, Particles start, std::unique_ptr<Thre
   State& s = *state_;
   s.scene = scene;
   s.team = std::move(team);
-  s.id = start.id;
-  std::vector<Vec2f> position;
-  for (const Vec2 at : start.position) position.push_back(toFloat(at));
   s.solver = ParticleSolver::make(scene, std::move(start), allWalls(scene), *s.team);
   if (scene.time.step.isAutomatic()) s.chosenStep.emplace(scene);
   if (scene.gas) s.gas = std::make_unique<CoupledGas>(scene, s.solver->particles(), *s.team);
@@ -300,12 +310,15 @@ Simulation::Simulation(const Scene& scene, Particles start, std::unique_ptr<Thre
                             s.gas ? &s.gas->voidage : nullptr, s.gas ? &s.gas->exchange : nullptr, *s.team});
   s.stretch = s.stretchEnd = s.nextStretch();
   if (s.gas) s.gas->start(static_cast<double>(s.stretch) * tick(scene));
-  if (isMixed(scene)) s.list = particleList(scene);
-  s.species = tagTracer(scene.tracer.rule, position, s.list.kinds, scene.bed.width);
+  setTracer(scene.tracer.rule);
 }
 
 void Simulation::save(StateWriter& out) const {
   const State& s = *state_;
+  if (s.scene.effects.find<FeedSettings>()) {
+    out.put(static_cast<std::uint64_t>(s.solver->particles().size()));
+    out.put(s.report.waitingLargest);
+  }
   out.put(s.step);
   out.put(s.particleSteps);
   out.put(s.gasSteps);
@@ -322,7 +335,7 @@ void Simulation::save(StateWriter& out) const {
   out.put(s.report.largestSpeed);
   out.put(s.report.largestSpeedParticle);
   out.putAll(s.species);
-  out.putAll(s.id);
+  out.putAll(s.solver->roster().ids());
   s.solver->save(out);
   if (s.chosenStep) s.chosenStep->save(out);
   if (s.gas) s.gas->solver.save(out);
@@ -340,22 +353,29 @@ bool Simulation::State::load(StateReader& in, std::int64_t stepsPerStep) {
     ticks *= stepsPerStep;
     return true;
   };
+  std::vector<std::int32_t> ids(species.size());
   return getTicks(step) && getCount(particleSteps) && getCount(gasSteps) && getTicks(stretch) &&
          getTicks(stretchEnd) && stretchEnd > step && stretchEnd - step <= stretch && in.get(seconds) &&
          in.get(report.largestOverlap) && in.get(report.largestOverlapParticle) &&
          getCount(report.gasStepsNotConverged) && in.get(report.largestMassResidual) &&
          in.get(report.largestCourant) && in.get(report.lowestVoidage) && in.get(report.aboveGridLargest) &&
          in.get(report.largestSpeed) && in.get(report.largestSpeedParticle) && in.getAll(species) &&
-         in.getAll(id) && solver->load(in) && (!chosenStep || chosenStep->load(in)) &&
+         in.getAll(ids) && solver->load(in) && ids == solver->roster().ids() && (!chosenStep || chosenStep->load(in)) &&
          (!gas || (gas->solver.load(in) && (!gas->chosenStep || gas->chosenStep->load(in)))) &&
          std::all_of(effects.begin(), effects.end(), [&](const auto& effect) { return effect->load(in); });
 }
 
 std::optional<Simulation> Simulation::make(const Scene& scene, StateReader& in, int threads,
                                            std::int64_t stepsPerStep) {
-  const std::vector<Vec2> anywhere(static_cast<std::size_t>(scene.particles.count));
+  auto count = static_cast<std::uint64_t>(scene.particles.count);
+  std::int64_t waiting = 0;
+  if (const FeedSettings* feed = scene.effects.find<FeedSettings>())
+    if (!in.get(count) || count > static_cast<std::uint64_t>(feed->most) || !in.get(waiting) || waiting < 0)
+      return std::nullopt;
+  const std::vector<Vec2> anywhere(count);
   Simulation simulation(scene, makeParticles(scene, anywhere), std::make_unique<ThreadTeam>(threads));
   if (!simulation.state_->load(in, stepsPerStep)) return std::nullopt;
+  simulation.state_->report.waitingLargest = waiting;
   return simulation;
 }
 
@@ -370,6 +390,7 @@ std::optional<std::string> Simulation::advance(std::int64_t steps) {
     if (auto trouble = s.advanceParticles(chunk)) return trouble;
     left -= chunk;
     if (s.step < s.stretchEnd) return std::nullopt;
+    s.letInAndOut();
     if (s.gas) {
       if (auto trouble = s.gasStep()) return trouble;
     } else {
@@ -408,9 +429,10 @@ bool Simulation::steer(const Scene& scene) {
 void Simulation::setTracer(TracerRule rule) {
   State& s = *state_;
   s.scene.tracer.rule = rule;
+  const Particles byId = inOrderOfIds(s.solver->particles());
   std::vector<Vec2f> position;
-  for (const Vec2 at : inOrderOfIds(s.solver->particles()).position) position.push_back(toFloat(at));
-  s.species = tagTracer(rule, position, s.list.kinds, s.scene.bed.width);
+  for (const Vec2 at : byId.position) position.push_back(toFloat(at));
+  s.species = tagTracer(rule, position, byId.kinds, s.scene.bed.width);
 }
 
 bool Simulation::gasFailed() const { return state_->gasFailed; }
@@ -429,16 +451,21 @@ FramePtr Simulation::frame() const {
   frame->step = s.step;
   frame->time = time();
   frame->species = s.species;
-  frame->id = s.id;
-  frame->radius.assign(s.list.radii.begin(), s.list.radii.end());
-  frame->kind = s.list.kinds;
+  const Roster& roster = s.solver->roster();
+  frame->id = roster.ids();
+  frame->radius.resize(p.radii.size());
+  frame->kind.resize(p.kinds.size());
   frame->position.resize(p.size());
   frame->velocity.resize(p.size());
   frame->angularVelocity.resize(p.spin.size());
   for (std::size_t i = 0; i < p.size(); ++i) {
-    frame->position[p.id[i]] = toFloat(p.position[i]);
-    frame->velocity[p.id[i]] = toFloat(p.velocity[i]);
-    if (!p.spin.empty()) frame->angularVelocity[p.id[i]] = static_cast<float>(p.spin[i]);
+    const std::size_t row = roster.rowOf(p.id[i]);
+    frame->position[row] = toFloat(p.position[i]);
+    frame->velocity[row] = toFloat(p.velocity[i]);
+    if (!p.spin.empty()) frame->angularVelocity[row] = static_cast<float>(p.spin[i]);
+    if (!p.areMixed()) continue;
+    frame->radius[row] = static_cast<float>(p.radii[i]);
+    frame->kind[row] = p.kinds[i];
   }
   if (s.gas) frame->gas = gasFrame(s.gas->solver);
   for (const auto& effect : s.effects) effect->fill(*frame);

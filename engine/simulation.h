@@ -36,6 +36,7 @@ struct StepReport {
   std::int64_t aboveGridLargest = 0;  // particles above the gas grid at one time
   double largestSpeed = 0.0;          // m/s, at a gas step or the end of a call
   std::int64_t largestSpeedParticle = -1;
+  std::int64_t waitingLargest = 0;  // particles at one time that found no room to come in
 };
 
 /// How many of `cores` threads pay off for a bed: below some 10,000 particles they wait for each other longer

@@ -2,11 +2,13 @@
 #include "replay/reader_process.h"
 
 #include "engine/core/gas_grid.h"
+#include "engine/core/particle_list.h"
 #include "engine/core/scene_reader.h"
 #include "replay/contained_hdf5.h"
 #include "replay/file_trouble.h"
 #include "replay/trajectory_layout.h"
 
+#include <algorithm>
 #include <string>
 
 namespace bedmix {
@@ -69,31 +71,58 @@ RunConstants getConstants(Channel& from) {
   return constants;
 }
 
-/// Copies `count` values from where `at` points and moves it on.
+/// Copies the first `count` of `room` values from where `at` points and moves it beyond all.
+template <class T>
+void take(const float*& at, std::size_t count, std::size_t room, std::vector<T>& into) {
+  const auto* const values = reinterpret_cast<const T*>(at);
+  at = reinterpret_cast<const float*>(values + room);
+  into.assign(values, values + count);
+}
 template <class T>
 void take(const float*& at, std::size_t count, std::vector<T>& into) {
-  const auto* const values = reinterpret_cast<const T*>(at);
-  at = reinterpret_cast<const float*>(values + count);
-  into.assign(values, values + count);
+  take(at, count, count, into);
+}
+
+/// What changes with time where particles come and go; see numbersPerFrame().
+void takeFed(const float*& at, std::size_t count, std::size_t room, bool isMixed, Frame& frame) {
+  take(at, count, room, frame.id);
+  const auto takeBytes = [&](std::vector<std::uint8_t>& into) {
+    into.assign(at, at + count);
+    at += room;
+  };
+  takeBytes(frame.species);
+  if (!isMixed) return;
+  take(at, count, room, frame.radius);
+  takeBytes(frame.kind);
+}
+
+/// Who is there in a frame of a scene with a feed: ids stand behind `before` columns.
+std::size_t countFed(const float* numbers, std::size_t before, std::size_t room) {
+  const auto* const id = reinterpret_cast<const std::int32_t*>(numbers + before * room);
+  return static_cast<std::size_t>(std::find(id, id + room, -1) - id);
 }
 
 /// Makes of a frame of the pool, which is new or was another one of the run, the one of that index.
 void fill(Frame& frame, const RunPreamble& run, std::size_t index, const float* numbers) {
   const RunConstants& constants = run.constants;
-  const std::size_t n = constants.species.size();
+  const bool isFed = run.scene.effects.find<FeedSettings>() != nullptr;
+  const bool friction = run.scene.contacts.friction.has_value();
+  const bool heat = run.scene.effects.find<HeatSettings>() != nullptr;
+  const auto room = static_cast<std::size_t>(mostParticles(run.scene));
+  const std::size_t n = isFed ? countFed(numbers, 4 + friction + heat, room) : room;
   frame.step = constants.steps[index];
   frame.time = constants.times[index];
-  if (frame.id.size() != n) {
+  if (!isFed && frame.id.size() != n) {
     frame.species = constants.species;
     frame.id = constants.id;
     frame.radius = constants.radius;
     frame.kind = constants.kind;
   }
-  take(numbers, n, frame.position);
-  take(numbers, n, frame.velocity);
-  if (run.scene.contacts.friction) take(numbers, n, frame.angularVelocity);
-  const bool heat = run.scene.effects.find<HeatSettings>() != nullptr;
-  if (heat) take(numbers, n, frame.temperature);
+  take(numbers, n, room, frame.position);
+  take(numbers, n, room, frame.velocity);
+  if (friction) take(numbers, n, room, frame.angularVelocity);
+  if (heat) take(numbers, n, room, frame.temperature);
+  if (isFed) takeFed(numbers, n, room, isMixed(run.scene), frame);
   if (run.scene.gas) {
     const GasGrid grid = makeGasGrid(run.scene);
     const auto cells = static_cast<std::size_t>(grid.rows) * static_cast<std::size_t>(grid.columns);

@@ -2,6 +2,9 @@
 #include "replay/series_log.h"
 
 #include "engine/core/bed_statistics.h"
+#include "engine/core/particle_list.h"
+
+#include <algorithm>
 
 namespace bedmix {
 
@@ -49,6 +52,21 @@ std::optional<Diagnostic> HeatLog::write(const Frame& frame) {
   std::optional<double> outlet;
   if (grid_) outlet = outletTemperature(frame, *grid_);
   return csv_.row({frame.time, meanTemperature(frame, scene_), outlet, particleHeat(frame, scene_)});
+}
+
+Result<FeedLog> FeedLog::create(const std::filesystem::path& path, const Scene& scene) {
+  Result<CsvWriter> csv = CsvWriter::create(path, "time,particles,mass,entered,left");
+  if (!csv) return csv.problems;
+  return FeedLog(std::move(*csv), scene);
+}
+
+std::optional<Diagnostic> FeedLog::write(const Frame& frame) {
+  if (!frame.id.empty()) newest_ = std::max(newest_, frame.id.back());
+  double mass = 0.0;
+  for (std::size_t i = 0; i < frame.size(); ++i) mass += massOf(scene_, frame, i);
+  // Ids count up from 0.
+  const double ever = static_cast<double>(newest_) + 1.0, there = static_cast<double>(frame.size());
+  return csv_.row({frame.time, there, mass, ever - static_cast<double>(scene_.particles.count), ever - there});
 }
 
 }  // namespace bedmix

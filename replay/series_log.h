@@ -7,6 +7,7 @@
 #include "replay/csv.h"
 #include "replay/file_sink.h"
 
+#include <cstdint>
 #include <filesystem>
 
 // The series of a run as CSV, one row a frame. `run` and `replay` feed the same frames to the same sinks, so
@@ -71,6 +72,22 @@ class HeatLog final : public FileSink {
   CsvWriter csv_;
   Scene scene_;
   std::optional<GasGrid> grid_;
+};
+
+/// feed.csv: particles there and their mass, kg; those who have come in and gone since the run began. The
+/// scene must have a feed.
+class FeedLog final : public FileSink {
+ public:
+  static Result<FeedLog> create(const std::filesystem::path& path, const Scene& scene);
+
+ private:
+  FeedLog(CsvWriter csv, const Scene& scene)
+      : csv_(std::move(csv)), scene_(scene), newest_(static_cast<std::int32_t>(scene.particles.count) - 1) {}
+  std::optional<Diagnostic> write(const Frame& frame) override;
+
+  CsvWriter csv_;
+  Scene scene_;
+  std::int32_t newest_;  // id
 };
 
 }  // namespace bedmix

@@ -85,6 +85,12 @@ std::vector<std::uint8_t> inLayers(const Frame& frame, std::size_t count) {
   return tags;
 }
 
+std::vector<std::uint8_t> tagFed(const Frame& frame, const Scene& scene) {
+  std::vector<std::uint8_t> tags(frame.size());
+  for (std::size_t i = 0; i < tags.size(); ++i) tags[i] = frame.id[i] >= scene.particles.count;
+  return tags;
+}
+
 }  // namespace
 
 Result<TracerChoice> TracerChoice::parse(const std::string& text) {
@@ -105,7 +111,9 @@ Result<TracerChoice> TracerChoice::parse(const std::string& text) {
 }
 
 Result<std::vector<std::uint8_t>> TracerChoice::tag(const Frame& frame, const Scene& scene) const {
-  if (const auto* rule = std::get_if<TracerRule>(&kind_))
+  if (const auto* rule = std::get_if<TracerRule>(&kind_); rule && *rule == TracerRule::fed)
+    return tagFed(frame, scene);
+  else if (rule)
     return tagTracer(*rule, frame.position, frame.kind, scene.bed.width);
   if (const auto* layers = std::get_if<Layers>(&kind_))
     return inLayers(frame, static_cast<std::size_t>(layers->count));

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <cstring>
 
 namespace bedmix {
 
@@ -81,9 +82,10 @@ SceneText readSceneText(const Hdf5Input& in) {
 }
 
 std::size_t numbersPerFrame(const Scene& scene) {
-  const auto particles = static_cast<std::size_t>(scene.particles.count);
+  const auto particles = static_cast<std::size_t>(mostParticles(scene));
   const bool heat = scene.effects.find<HeatSettings>() != nullptr;
-  const std::size_t ofParticles = particles * (4 + (scene.contacts.friction ? 1 : 0) + (heat ? 1 : 0));
+  const std::size_t fed = scene.effects.find<FeedSettings>() ? (isMixed(scene) ? 4 : 2) : 0;
+  const std::size_t ofParticles = particles * (4 + (scene.contacts.friction ? 1 : 0) + (heat ? 1 : 0) + fed);
   if (!scene.gas) return ofParticles;
   const GasGrid grid = makeGasGrid(scene);
   return ofParticles +
@@ -92,17 +94,19 @@ std::size_t numbersPerFrame(const Scene& scene) {
 
 TrajectoryInput::TrajectoryInput(const Hdf5Input& in, const Scene& scene)
     : in_(in),
-      particles_(static_cast<hsize_t>(scene.particles.count)),
+      particles_(static_cast<hsize_t>(mostParticles(scene))),
       position_(in.series(valueOf(layout::position), {particles_, 2})),
-      velocity_(in.series(valueOf(layout::velocity), {particles_, 2})) {
+      velocity_(in.series(valueOf(layout::velocity), {particles_, 2})),
+      kinds_(particleKinds(scene).size()) {
   if (scene.contacts.friction)
     angularVelocity_.emplace(in.series(valueOf(layout::angularVelocity), {particles_}));
   if (scene.effects.find<HeatSettings>())
     temperature_.emplace(in.series(valueOf(layout::temperature), {particles_}));
+  if (scene.effects.find<FeedSettings>()) fed_.emplace(openFed(in, scene));
   if (scene.gas) gas_.emplace(openGas(in, scene));
   readTimes();
-  readSpecies();
-  if (isMixed(scene)) readKinds(scene);
+  if (!fed_) readSpecies();
+  if (!fed_ && isMixed(scene)) readKinds();
   constants_.provenance = readProvenance(in);
   constants_.events = readEvents(in);
 }
@@ -119,12 +123,23 @@ TrajectoryInput::GasSeries TrajectoryInput::openGas(const Hdf5Input& in, const S
   return series;
 }
 
+TrajectoryInput::FedSeries TrajectoryInput::openFed(const Hdf5Input& in, const Scene& scene) {
+  const auto n = static_cast<hsize_t>(mostParticles(scene));
+  FedSeries series{in.series(valueOf(layout::id), {n}), in.series(valueOf(layout::species), {n}), {}, {}};
+  if (!isMixed(scene)) return series;
+  series.radius.emplace(in.series(valueOf(layout::radius), {n}));
+  series.kind.emplace(in.series(valueOf(layout::kind), {n}));
+  return series;
+}
+
 void TrajectoryInput::readTimes() {
   const Hdf5Values step = in_.series(layout::position + std::string("/step"), {});
   const Hdf5Values time = in_.series(layout::position + std::string("/time"), {});
   hsize_t frames = std::min({step.rows(), time.rows(), position_.rows(), velocity_.rows()});
   for (const auto* series : {&angularVelocity_, &temperature_})
     if (*series) frames = std::min(frames, (*series)->rows());
+  if (fed_) frames = std::min({frames, fed_->id.rows(), fed_->species.rows()});
+  if (fed_ && fed_->kind) frames = std::min({frames, fed_->radius->rows(), fed_->kind->rows()});
   if (gas_) frames = std::min({frames, gas_->voidage.rows(), gas_->pressure.rows(), gas_->velocity.rows()});
   if (gas_ && gas_->temperature) frames = std::min(frames, gas_->temperature->rows());
   if (frames == 0) throw Hdf5Error("holds no whole frame: its run ended before the first was written");
@@ -177,19 +192,18 @@ void TrajectoryInput::readSpecies() {
                                 other - species.begin(), *other));
 }
 
-void TrajectoryInput::readKinds(const Scene& scene) {
+void TrajectoryInput::readKinds() {
   std::vector<float>& radius = constants_.radius;
   std::vector<std::uint8_t>& kind = constants_.kind;
   radius.resize(particles_);
   kind.resize(particles_);
   in_.fixed(layout::radius, {particles_}).readRow(0, radius.data());
   in_.fixed(layout::kind, {particles_}).readRow(0, kind.data());
-  const std::size_t kinds = particleKinds(scene).size();
   for (std::size_t i = 0; i < radius.size(); ++i) {
     if (!(std::isfinite(radius[i]) && radius[i] > 0.0f))
       throw Hdf5Error(fmt::format("particle {} has a radius of {} m", i, radius[i]));
-    if (kind[i] >= kinds)
-      throw Hdf5Error(fmt::format("particle {} is of kind {}; the scene has {}", i, kind[i], kinds));
+    if (kind[i] >= kinds_)
+      throw Hdf5Error(fmt::format("particle {} is of kind {}; the scene has {}", i, kind[i], kinds_));
   }
 }
 
@@ -198,10 +212,37 @@ void TrajectoryInput::readFrame(std::size_t index, float* into) const {
   into = readFloats(velocity_, index, into);
   for (const auto* series : {&angularVelocity_, &temperature_})
     if (*series) into = readFloats(**series, index, into);
+  if (fed_) into = readFed(index, into);
   if (!gas_) return;
   for (const Hdf5Values* field : {&gas_->voidage, &gas_->pressure, &gas_->velocity})
     into = readFloats(*field, index, into);
   if (gas_->temperature) readFloats(*gas_->temperature, index, into);
+}
+
+float* TrajectoryInput::readFed(std::size_t index, float* into) const {
+  const auto refuse = [&](std::size_t place, const auto& what) {
+    throw Hdf5Error(fmt::format("frame {} holds {} at place {} of its particles", index, what, place));
+  };
+  std::vector<std::int32_t> id(particles_);
+  fed_->id.readRow(index, id.data());
+  std::size_t there = 0;
+  while (there < id.size() && id[there] >= 0) ++there;
+  for (std::size_t i = 0; i < id.size(); ++i)
+    if (i < there ? i > 0 && id[i] <= id[i - 1] : id[i] != -1) refuse(i, fmt::format("the id {}", id[i]));
+  std::memcpy(into, id.data(), id.size() * sizeof(float));
+  into += particles_;
+
+  const auto read = [&](const Hdf5Values& series, const char* what, auto&& isSound) {
+    float* const end = readFloats(series, index, into);
+    for (std::size_t i = 0; i < there; ++i)
+      if (!isSound(into[i])) refuse(i, fmt::format("the {} {}", what, into[i]));
+    into = end;
+  };
+  read(fed_->species, "species", [](float s) { return s <= 1.0f; });
+  if (!fed_->kind) return into;
+  read(*fed_->radius, "radius", [](float r) { return r > 0.0f; });
+  read(*fed_->kind, "kind", [&](float k) { return k < static_cast<float>(kinds_); });
+  return into;
 }
 
 std::vector<std::byte> TrajectoryInput::checkpoint(std::size_t slot) const {

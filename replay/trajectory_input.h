@@ -29,13 +29,14 @@ struct RunConstants {
   std::size_t recorded = 0;      // frames there are said to be; of remains there may be fewer
   std::vector<std::int64_t> steps;
   std::vector<double> times;  // s, as many
-  std::vector<std::uint8_t> species;
+  std::vector<std::uint8_t> species;  // empty with a feed, like all below
   std::vector<std::int32_t> id;
   std::vector<float> radius;  // m, empty where all are alike, like kind
   std::vector<std::uint8_t> kind;
 };
 
-/// Numbers of a frame that change with time.
+/// Numbers of a frame that change with time. With a feed that are ids, too, whose bits stand in place of
+/// floats, and species, radii and kinds as floats.
 std::size_t numbersPerFrame(const Scene& scene);
 
 class TrajectoryInput {
@@ -58,13 +59,21 @@ class TrajectoryInput {
   static GasSeries openGas(const Hdf5Input& in, const Scene& scene);
   void readTimes();
   void expectToFollow(std::size_t index) const;
+  struct FedSeries {
+    Hdf5Values id, species;
+    std::optional<Hdf5Values> radius, kind;
+  };
+  static FedSeries openFed(const Hdf5Input& in, const Scene& scene);
+  float* readFed(std::size_t index, float* into) const;
   void readSpecies();
-  void readKinds(const Scene& scene);
+  void readKinds();
 
   const Hdf5Input& in_;
   hsize_t particles_;
   Hdf5Values position_, velocity_;
   std::optional<Hdf5Values> angularVelocity_, temperature_;
+  std::optional<FedSeries> fed_;  // with a feed
+  std::size_t kinds_;             // of particles
   std::optional<GasSeries> gas_;
   RunConstants constants_;
 };

@@ -111,6 +111,7 @@ struct TrajectoryWriter::State {
   std::filesystem::path path;
   Scene scene;
   SamplingGrid sampling;
+  bool isFed;
   std::optional<GasGrid> grid;
   Hdf5Output out;
   Origin origin;
@@ -126,7 +127,12 @@ struct TrajectoryWriter::State {
 
   /// The provenance is needed where the file is made.
   State(const std::filesystem::path& file, const Scene& s, Origin from, const Provenance& provenance = {})
-      : path(file), scene(s), sampling(samplingGrid(s)), out(file, from), origin(from) {
+      : path(file),
+        scene(s),
+        sampling(samplingGrid(s)),
+        isFed(s.effects.find<FeedSettings>() != nullptr),
+        out(file, from),
+        origin(from) {
     if (scene.gas) grid = makeGasGrid(scene);
     if (origin == Origin::made) {
       writeHeader(out, scene, provenance);
@@ -155,13 +161,33 @@ struct TrajectoryWriter::State {
   }
 
   void addParticles() {
-    const auto n = static_cast<hsize_t>(scene.particles.count);
-    add<float>(layout::position, {n, 2}, [](const Frame& f) { return bytes(f.position); });
-    add<float>(layout::velocity, {n, 2}, [](const Frame& f) { return bytes(f.velocity); });
-    if (scene.contacts.friction)
-      add<float>(layout::angularVelocity, {n}, [](const Frame& f) { return bytes(f.angularVelocity); });
+    const auto n = static_cast<hsize_t>(mostParticles(scene));
+    add<float>(layout::position, {n, 2}, rowsOf(&Frame::position));
+    add<float>(layout::velocity, {n, 2}, rowsOf(&Frame::velocity));
+    if (scene.contacts.friction) add<float>(layout::angularVelocity, {n}, rowsOf(&Frame::angularVelocity));
     if (scene.effects.find<HeatSettings>())
-      add<float>(layout::temperature, {n}, [](const Frame& f) { return bytes(f.temperature); });
+      add<float>(layout::temperature, {n}, rowsOf(&Frame::temperature));
+    if (!isFed) return;
+    add<std::int32_t>(layout::id, {n}, rowsOf(&Frame::id, -1));
+    add<std::uint8_t>(layout::species, {n}, rowsOf(&Frame::species));
+    if (!isMixed(scene)) return;
+    add<float>(layout::radius, {n}, rowsOf(&Frame::radius));
+    add<std::uint8_t>(layout::kind, {n}, rowsOf(&Frame::kind));
+  }
+
+  /// A column of frames; with a feed filled up with `absent` for those who are not there.
+  template <class T>
+  std::function<Bytes(const Frame&)> rowsOf(std::vector<T> Frame::*column, T absent = T()) const {
+    if (!isFed) return [column](const Frame& f) { return bytes(f.*column); };
+    return [column, absent, row = std::vector<T>(static_cast<std::size_t>(mostParticles(scene)))](
+               const Frame& f) mutable {
+      const std::vector<T>& there = f.*column;
+      if (there.size() > row.size())
+        throw Hdf5Error("cannot write step " + std::to_string(f.step) + ": it has more particles than " +
+                        std::to_string(row.size()));
+      std::fill(std::copy(there.begin(), there.end(), row.begin()), row.end(), absent);
+      return bytes(row);
+    };
   }
 
   void addObservables() {
@@ -189,7 +215,7 @@ struct TrajectoryWriter::State {
   void addCheckpoints() {
     // A few chunks each: they take room as a whole, and each costs time.
     constexpr hsize_t page = 4096, largest = 1 << 20, perParticle = 100;
-    const hsize_t some = perParticle * static_cast<hsize_t>(scene.particles.count) / page * page;
+    const hsize_t some = perParticle * static_cast<hsize_t>(mostParticles(scene)) / page * page;
     for (const char* slot : layout::checkpointSlots)
       checkpoints.push_back(out.bytes(slot, std::clamp(some, page, largest)));
   }
@@ -246,8 +272,9 @@ struct TrajectoryWriter::State {
     nextCheckpoint = 1 - nextCheckpoint;
   }
 
-  /// What particles are is written once, so they must not change.
+  /// What particles are is written once, so they must not change, but where they come and go.
   void writeConstants(const Frame& frame) {
+    if (isFed) return;
     if (species.empty()) {
       species = frame.species;
       id = frame.id;

@@ -81,6 +81,7 @@ std::vector<std::uint8_t> tagTracer(TracerRule rule, const std::vector<Vec2f>& p
                                     const std::vector<std::uint8_t>& kind, double width) {
   const std::size_t n = position.size();
   std::vector<std::uint8_t> tag(n);
+  if (rule == TracerRule::fed) return tag;
   if (rule == TracerRule::species) {
     for (std::size_t i = 0; i < kind.size(); ++i) tag[i] = kind[i] > 0;
     return tag;
@@ -96,6 +97,10 @@ std::vector<std::uint8_t> tagTracer(TracerRule rule, const std::vector<Vec2f>& p
                    [&](std::size_t a, std::size_t b) { return position[a].y < position[b].y; });
   for (std::size_t k = 0; k < n; ++k) tag[order[k]] = (k < n / 2) == (rule == TracerRule::lowerHalf);
   return tag;
+}
+
+std::uint8_t tagOfFed(TracerRule rule, std::uint8_t kind) {
+  return rule == TracerRule::fed || (rule == TracerRule::species && kind > 0);
 }
 
 }  // namespace bedmix

@@ -43,7 +43,7 @@ enum class ObstacleShape { circle, drum, segment };
 /// How a run begins.
 enum class Arrangement { settled, drop };
 /// Which particles carry the tracer colour.
-enum class TracerRule { leftHalf, rightHalf, lowerHalf, upperHalf, species };
+enum class TracerRule { leftHalf, rightHalf, lowerHalf, upperHalf, species, fed };
 /// How rolling is resisted.
 enum class RollingModel { elasticPlastic, constantTorque };
 /// How the diameters of one kind of particles differ.
@@ -152,6 +152,7 @@ inline constexpr std::array modelTable<TracerRule>{
     ModelInfo{"lower-half", "the half of the particles that lies lowest at the start", ""},
     ModelInfo{"upper-half", "the half of the particles that lies highest at the start", ""},
     ModelInfo{"species", "all but the first kind of particles", ""},
+    ModelInfo{"fed", "those that come in by [feed]", ""},
 };
 template <>
 inline constexpr std::array modelTable<RollingModel>{

@@ -17,20 +17,6 @@ constexpr std::uint64_t ownSequence = 0xd1b54a32d192ed03;  // another one than t
 
 double sphereVolume(double diameter) { return std::numbers::pi / 6.0 * diameter * diameter * diameter; }
 
-/// The diameter below which a share `p` of the kind's particles are, m.
-double quantile(const ParticleKind& kind, double p) {
-  if (!kind.size) return kind.diameter;
-  const SizeSettings& size = *kind.size;
-  if (size.distribution == SizeDistribution::uniform)
-    return kind.diameter * (1.0 + std::sqrt(3.0) * size.deviation * (2.0 * p - 1.0));
-  const double inside = std::erf(size.cut / std::numbers::sqrt2);  // of the whole distribution
-  const double z = p <= 0.0   ? -size.cut
-                   : p >= 1.0 ? size.cut
-                              : std::numbers::sqrt2 * boost::math::erf_inv((2.0 * p - 1.0) * inside);
-  return size.distribution == SizeDistribution::normal ? kind.diameter * (1.0 + size.deviation * z)
-                                                       : kind.diameter * std::exp(size.deviation * z);
-}
-
 template <class T>
 void shuffle(std::vector<T>& values, std::size_t begin, Rng& rng) {
   for (std::size_t i = begin; i < values.size(); ++i) {
@@ -55,7 +41,34 @@ std::vector<ParticleKind> particleKinds(const Scene& scene) {
   return kinds;
 }
 
-double smallestDiameter(const ParticleKind& kind) { return quantile(kind, 0.0); }
+double diameterAt(const ParticleKind& kind, double share) {
+  if (!kind.size) return kind.diameter;
+  const SizeSettings& size = *kind.size;
+  if (size.distribution == SizeDistribution::uniform)
+    return kind.diameter * (1.0 + std::sqrt(3.0) * size.deviation * (2.0 * share - 1.0));
+  const double inside = std::erf(size.cut / std::numbers::sqrt2);  // of the whole distribution
+  const double z = share <= 0.0   ? -size.cut
+                   : share >= 1.0 ? size.cut
+                                  : std::numbers::sqrt2 * boost::math::erf_inv((2.0 * share - 1.0) * inside);
+  return size.distribution == SizeDistribution::normal ? kind.diameter * (1.0 + size.deviation * z)
+                                                       : kind.diameter * std::exp(size.deviation * z);
+}
+
+double smallestDiameter(const ParticleKind& kind) { return diameterAt(kind, 0.0); }
+double massOf(const ParticleKind& kind, double diameter) { return kind.density * sphereVolume(diameter); }
+
+std::optional<std::uint8_t> kindNamed(const Scene& scene, std::string_view name) {
+  if (name.empty()) return 0;
+  const std::vector<ParticleKind> kinds = particleKinds(scene);
+  for (std::size_t k = 0; k < kinds.size(); ++k)
+    if (kinds[k].name == name) return static_cast<std::uint8_t>(k);
+  return std::nullopt;
+}
+
+std::int64_t mostParticles(const Scene& scene) {
+  const FeedSettings* feed = scene.effects.find<FeedSettings>();
+  return feed ? feed->most : scene.particles.count;
+}
 
 ParticleList particleList(const Scene& scene) {
   Rng rng(scene.seed ^ ownSequence);
@@ -68,7 +81,7 @@ ParticleList particleList(const Scene& scene) {
   for (std::size_t k = 0; k < kinds.size(); ++k)
     for (std::int64_t i = 0; i < kinds[k].count; ++i) {
       const double middle = (static_cast<double>(i) + 0.5) / static_cast<double>(kinds[k].count);
-      particles.push_back({0.5 * quantile(kinds[k], middle), static_cast<std::uint8_t>(k)});
+      particles.push_back({0.5 * diameterAt(kinds[k], middle), static_cast<std::uint8_t>(k)});
     }
   shuffle(particles, 0, rng);
   ParticleList list;
@@ -114,7 +127,7 @@ ParticleMeans particleMeans(const Scene& scene) {
     const int n = kind.size ? parts : 1;
     const double each = static_cast<double>(kind.count) / n;
     for (int i = 0; i < n; ++i) {
-      const double d = quantile(kind, (i + 0.5) / n);
+      const double d = diameterAt(kind, (i + 0.5) / n);
       mass += each * kind.density * sphereVolume(d);
       volume += each * sphereVolume(d);
       surface += each * std::numbers::pi * d * d;
@@ -127,8 +140,8 @@ ParticleMeans particleMeans(const Scene& scene) {
 ParticleRange particleRange(const Scene& scene) {
   ParticleRange range{infinity, 0.0, infinity, 0.0};
   for (const ParticleKind& kind : particleKinds(scene))
-    for (const double diameter : {quantile(kind, 0.0), quantile(kind, 1.0)}) {
-      const double mass = kind.density * sphereVolume(diameter);
+    for (const double diameter : {diameterAt(kind, 0.0), diameterAt(kind, 1.0)}) {
+      const double mass = massOf(kind, diameter);
       range.smallest = std::min(range.smallest, diameter);
       range.largest = std::max(range.largest, diameter);
       range.lightest = std::min(range.lightest, mass);

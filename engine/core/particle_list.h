@@ -5,6 +5,7 @@
 #include "engine/core/scene.h"
 
 #include <cstdint>
+#include <optional>
 #include <string_view>
 #include <vector>
 
@@ -25,6 +26,13 @@ struct ParticleKind {
 };
 std::vector<ParticleKind> particleKinds(const Scene& scene);
 double smallestDiameter(const ParticleKind& kind);  // m
+/// The diameter below which a `share` of the kind's particles are, m.
+double diameterAt(const ParticleKind& kind, double share);
+double massOf(const ParticleKind& kind, double diameter);  // kg
+/// Number of the kind of that name; of the first where the name is empty, and of none where there is no such.
+std::optional<std::uint8_t> kindNamed(const Scene& scene, std::string_view name);
+/// The most particles that there may be at a time.
+std::int64_t mostParticles(const Scene& scene);
 
 /// What particle each id is.
 struct ParticleList {

@@ -31,6 +31,10 @@ class ParticleRules {
       add("tracer.rule", {"particles.species"},
           "there is one kind of particles only, so that none is of another; choose another rule or give "
           "[[particles.species]]");
+    const FeedSettings* feed = scene_.effects.find<FeedSettings>();
+    if (scene_.tracer.rule == TracerRule::fed && (!feed || feed->streams.empty()))
+      add("tracer.rule", {"feed"},
+          "nobody is fed, so that nobody would be black; choose another rule or give [[feed.streams]]");
     return std::move(broken_);
   }
 

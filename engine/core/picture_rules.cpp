@@ -48,7 +48,7 @@ std::vector<Contradiction> contradictions(const Scene& scene, const PictureSetti
     add("pictures.layers", {"pictures.trails"},
         "the layer 'trails' follows chosen particles, and none are; give their numbers in trails");
   for (const std::int64_t id : pictures.trails)
-    if (id >= scene.particles.count)
+    if (id >= scene.particles.count && feedRate(scene) == 0.0)
       add("pictures.trails", {"particles.count"},
           fmt::format("there is no particle {}; scene '{}' has {}, counted from 0", id, scene.name,
                       scene.particles.count));

@@ -63,7 +63,7 @@ void describe(SizeSettings& s, V& visit) {
 template <class V>
 void describe(SpeciesSettings& s, V& visit) {
   visit(Key{"name", "", {}, "what this kind is called", true}, s.name);
-  visit(Key{"count", "", {1.0, 1e8}, "how many of all particles are of it", true}, s.count);
+  visit(Key{"count", "", {0.0, 1e8}, "how many of all particles at the start are of it", true}, s.count);
   visit(Key{"diameter", "m", positive, "diameter; that of the first kind where absent"}, s.diameter);
   visit(Key{"density", "kg/m3", positive, "density; that of the first kind where absent"}, s.density);
   visit(Key{"size", "", {}, "sizes that differ"}, s.size);
@@ -71,7 +71,7 @@ void describe(SpeciesSettings& s, V& visit) {
 
 template <class V>
 void describe(ParticleSettings& s, V& visit) {
-  visit(Key{"count", "", {0.0, 1e8}, "number of particles", true}, s.count);
+  visit(Key{"count", "", {0.0, 1e8}, "number of particles at the start", true}, s.count);
   visit(Key{"diameter", "m", positive, "diameter of the spheres", true}, s.diameter);
   visit(Key{"density", "kg/m3", positive, "density of the solid", true}, s.density);
   visit(Key{"name", "", {}, "what this first kind is called"}, s.name);

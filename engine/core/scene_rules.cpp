@@ -223,7 +223,7 @@ class Rules {
           fmt::format("the cells add up to {:.9g} m, but {} is {:.9g} m", sum, ofPath, length));
     const double d = particleRange(scene_).largest;
     for (const GridSpan& s : spans)
-      if (scene_.particles.count > 0 && s.size < d)
+      if (mostParticles(scene_) > 0 && s.size < d)
         add(path, {"particles.diameter"},
             fmt::format(
                 "cells of {} m are smaller than a particle ({} m); volume-averaged gas needs cells of at "

@@ -66,6 +66,17 @@ bool BedState::sort() {
   return true;
 }
 
+void BedState::exchange(const std::vector<std::int32_t>& places,
+                        const std::vector<PopulationChange::Newcomer>& come) {
+  particles.exchange(places, come);
+  keepPlaces(loads, places);
+  loads.resize(particles.size());
+  bodies.resize(particles.size());
+  spinAhead.resize(particles.spin.size());
+  contacts.renumber(places, particles.size());
+  placeBodies();
+}
+
 void BedState::save(StateWriter& out, bool begun) const {
   particles.save(out);
   if (!begun) return;

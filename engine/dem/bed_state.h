@@ -63,6 +63,11 @@ struct BedState {
   /// are zero afterwards.
   bool sort();
 
+  /// Particles go to `places` in memory, which ascend, or away where that is negative; newcomers stand behind
+  /// them. Loads and what contacts remember go with them, lists have to be made anew.
+  void exchange(const std::vector<std::int32_t>& places,
+                const std::vector<PopulationChange::Newcomer>& come);
+
   /// With all of the particles, but lists, loads and budget only once the lists have been made (`begun`).
   void save(StateWriter& out, bool begun) const;
   /// Into a bed of the same scene whose lists have not been made. False where `in` is not what save() wrote

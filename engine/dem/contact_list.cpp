@@ -48,6 +48,12 @@ std::size_t contactBlocks(const Scene& scene, std::size_t particles) {
   return std::max<std::size_t>(1, static_cast<std::size_t>(static_cast<double>(particles) / size));
 }
 
+/// As many as may come to be there, by the feed.
+std::size_t fedUpTo(const Scene& scene) {
+  const FeedSettings* feed = scene.effects.find<FeedSettings>();
+  return feed ? static_cast<std::size_t>(feed->most) : 0;
+}
+
 }  // namespace
 
 HistoryColumns::HistoryColumns(const Scene& scene) : friction(scene.contacts.friction.has_value()) {
@@ -86,11 +92,36 @@ ContactList::ContactList(const Scene& scene, const std::vector<WallSegment>& wal
       columns_(scene),
       walls_(wallShapes(walls)),
       order_(diameter_ + skin_),
-      blocks_(contactBlocks(scene, particles)) {
-  for (std::size_t b = 0; b < blocks_.size(); ++b) {
+      blocks_(contactBlocks(scene, std::max(particles, fedUpTo(scene)))) {
+  for (ContactBlock& block : blocks_)
+    for (std::size_t w = 0; w < walls_.size(); ++w) block.walls.push_back({w, {}});
+  share(particles);
+}
+
+void ContactList::share(std::size_t particles) {
+  for (std::size_t b = 0; b < blocks_.size(); ++b)
     blocks_[b].particles = blockOf(particles, blocks_.size(), b);
-    for (std::size_t w = 0; w < walls_.size(); ++w) blocks_[b].walls.push_back({w, {}});
+}
+
+void ContactList::renumber(const std::vector<std::int32_t>& places, std::size_t particles) {
+  const auto renumberSlots = [&](ContactSlots& slots) {
+    const bool ofPairs = !slots.second.empty();
+    for (std::size_t c = 0; c < slots.count; ++c) {
+      const std::int32_t first = places[slots.first[c]], second = ofPairs ? places[slots.second[c]] : 0;
+      slots.first[c] = std::max(first, 0);
+      if (ofPairs) slots.second[c] = std::max(second, 0);
+      if (first >= 0 && second >= 0) continue;
+      slots.forHistory([&](std::vector<double>& column) {
+        if (!column.empty()) column[c] = 0.0;
+      });
+    }
+  };
+  for (ContactBlock& block : blocks_) {
+    renumberSlots(block.near);
+    renumberSlots(block.crossing);
+    for (ContactBlock::AtWall& w : block.walls) renumberSlots(w.slots);
   }
+  share(particles);
 }
 
 bool ContactList::sort(const std::vector<Body>& bodies) {

@@ -140,12 +140,17 @@ class ContactList {
   /// What is left of the skin after that; negative where it is too little to go on with.
   double remainder(const Displacements& d) const;
 
+  /// Before a new list of other particles: those there are go to `places`, which ascend, or away where that is
+  /// negative, and are `particles` with those that have come.
+  void renumber(const std::vector<std::int32_t>& places, std::size_t particles);
+
   void save(StateWriter& out) const;
   /// Into a list that has not been made yet, of particles in the order they had in the saved one. Leaves
   /// `bodies` where they were when that was made. False where `in` is not what save() wrote of them.
   [[nodiscard]] bool load(StateReader& in, std::vector<Body>& bodies);
 
  private:
+  void share(std::size_t particles);
   void rememberContacts();
   void findPairs(ContactBlock& block, const std::vector<Body>& bodies);
   void findWalls(ContactBlock& block, const std::vector<Body>& bodies);

@@ -6,7 +6,8 @@
 #include <cstdint>
 
 // Each integrator has begin(), called once before the first step, of a finite bed, or goOn(), called in its
-// place where the bed was loaded, and advance(). Positions, velocities and histories belong to the same
+// place where the bed was loaded, advance(), and relist(), called where particles have come or gone since.
+// Positions, velocities and histories belong to the same
 // instant after any of them.
 
 namespace bedmix {

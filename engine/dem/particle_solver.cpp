@@ -73,6 +73,7 @@ class Solver final : public ParticleSolver {
 
  private:
   void goOn() override { integrator_.goOn(bed_); }
+  void relist() override { integrator_.relist(bed_); }
 
   Integrator integrator_;
   double maxOverlap_;  // m
@@ -95,7 +96,20 @@ ParticleSolver::ParticleSolver(const Scene& scene, Particles start, const std::v
       pairLaw_(pairLaw(scene)),
       wallLaw_(wallLaw(scene)),
       effects_(contactEffects(scene)),
+      roster_(bed_.particles.id),
       smallest_(particleRange(scene).smallest) {}
+
+void ParticleSolver::exchange(const PopulationChange& change) {
+  const std::vector<std::int32_t>& id = bed_.particles.id;
+  std::vector<std::uint8_t> goes(id.size());
+  for (const std::size_t row : change.gone) goes[row] = 1;
+  std::vector<std::int32_t> places(id.size());
+  std::int32_t kept = 0;
+  for (std::size_t i = 0; i < id.size(); ++i) places[i] = goes[roster_.rowOf(id[i])] ? -1 : kept++;
+  bed_.exchange(places, change.come);
+  roster_ = Roster(bed_.particles.id);
+  if (begun_) relist();
+}
 
 std::int64_t ParticleSolver::largestOverlapParticle() const {
   double deepest = 0.0;
@@ -217,6 +231,7 @@ void ParticleSolver::save(StateWriter& out) const {
 bool ParticleSolver::load(StateReader& in) {
   std::uint8_t begun = 0;
   if (!in.get(begun) || begun > 1 || !bed_.load(in, begun == 1)) return false;
+  roster_ = Roster(bed_.particles.id);
   begun_ = begun == 1;
   if (begun_) goOn();
   fastest_ = findFastest(bed_.particles);

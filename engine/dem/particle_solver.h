@@ -56,6 +56,11 @@ class ParticleSolver {
   /// further.
   [[nodiscard]] virtual std::optional<DemTrouble> advance(std::int64_t steps) = 0;
 
+  /// Lets particles go and others come, between calls of advance().
+  void exchange(const PopulationChange& change);
+  /// Who is there.
+  const Roster& roster() const { return roster_; }
+
   /// External forces may be changed between calls of advance(), everything else only before the first. The
   /// order in memory changes from call to call.
   Particles& particles() { return bed_.particles; }
@@ -108,9 +113,11 @@ class ParticleSolver {
 
  private:
   virtual void goOn() = 0;
+  virtual void relist() = 0;
 
   SpringDashpot pairLaw_, wallLaw_;
   std::optional<ContactEffects> effects_;
+  Roster roster_;
   double smallest_;  // diameter, m
 };
 

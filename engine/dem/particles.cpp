@@ -2,6 +2,7 @@
 #include "engine/dem/particles.h"
 
 #include "engine/core/particle_list.h"
+#include "engine/dem/population.h"
 
 #include <algorithm>
 #include <cmath>
@@ -12,6 +13,7 @@
 namespace bedmix {
 
 void Particles::addExternalForces() {
+  columns.external = true;
   external.resize(size());
   drag.resize(size());
   foreseen = position;
@@ -31,19 +33,43 @@ bool Particles::load(StateReader& in) {
   if (!(in.getAll(id) && in.getAll(position) && in.getAll(velocity) && in.getAll(spin) &&
         in.getAll(external) && in.getAll(drag) && in.getAll(foreseen)))
     return false;
-  std::vector<std::uint8_t> seen(size());
-  for (const std::int32_t i : id)
-    if (i < 0 || static_cast<std::size_t>(i) >= size() || std::exchange(seen[i], 1)) return false;
+  const Roster roster(id);
+  const std::vector<std::int32_t>& ids = roster.ids();
+  if (std::adjacent_find(ids.begin(), ids.end()) != ids.end() || (!ids.empty() && ids.front() < 0))
+    return false;
   if (areMixed()) {  // what was made stands in the order of the ids
     const std::vector<double> radiiById = radii, massesById = masses;
     const std::vector<std::uint8_t> kindsById = kinds;
     for (std::size_t k = 0; k < size(); ++k) {
-      radii[k] = radiiById[id[k]];
-      masses[k] = massesById[id[k]];
-      kinds[k] = kindsById[id[k]];
+      radii[k] = radiiById[roster.rowOf(id[k])];
+      masses[k] = massesById[roster.rowOf(id[k])];
+      kinds[k] = kindsById[roster.rowOf(id[k])];
     }
   }
   return true;
+}
+
+void Particles::exchange(const std::vector<std::int32_t>& places,
+                         const std::vector<PopulationChange::Newcomer>& come) {
+  const auto keep = [&](auto& column) { keepPlaces(column, places); };
+  keep(id), keep(position), keep(velocity), keep(spin), keep(external), keep(drag), keep(foreseen);
+  keep(radii), keep(masses), keep(kinds);
+  for (const PopulationChange::Newcomer& newcomer : come) {
+    id.push_back(newcomer.id);
+    position.push_back(newcomer.position);
+    velocity.push_back(newcomer.velocity);
+    if (columns.spin) spin.push_back(0.0);
+    if (columns.external) {
+      external.push_back({});
+      drag.push_back(0.0);
+      foreseen.push_back(newcomer.position);
+    }
+    if (columns.sizes) {
+      radii.push_back(newcomer.radius);
+      masses.push_back(newcomer.mass);
+      kinds.push_back(newcomer.kind);
+    }
+  }
 }
 
 namespace {
@@ -53,6 +79,9 @@ void addSizes(const Scene& scene, Particles& p) {
   ParticleList list = particleList(scene);
   p.radii = std::move(list.radii);
   p.kinds = std::move(list.kinds);
+  // Who has been fed is not of the list; what he is a checkpoint tells.
+  p.radii.resize(p.size(), 0.5 * scene.particles.diameter);
+  p.kinds.resize(p.size());
   for (std::size_t i = 0; i < p.size(); ++i) {
     const double r = p.radii[i];
     p.masses.push_back(kinds[p.kinds[i]].density * 4.0 / 3.0 * std::numbers::pi * r * r * r);
@@ -75,15 +104,17 @@ Particles makeParticles(const Scene& scene, const std::vector<Vec2>& positions) 
   std::iota(p.id.begin(), p.id.end(), 0);
   p.position = positions;
   p.velocity.resize(n);
-  if (scene.contacts.friction) p.spin.assign(n, 0.0);
-  if (isMixed(scene)) addSizes(scene, p);
+  p.columns = {.spin = scene.contacts.friction.has_value(), .sizes = isMixed(scene), .external = false};
+  if (p.columns.spin) p.spin.assign(n, 0.0);
+  if (p.columns.sizes) addSizes(scene, p);
   return p;
 }
 
 Particles inOrderOfIds(const Particles& particles) {
   Particles sorted = particles;
+  const Roster roster(particles.id);
   const auto sort = [&](const auto& from, auto& to) {
-    for (std::size_t i = 0; i < from.size(); ++i) to[particles.id[i]] = from[i];
+    for (std::size_t i = 0; i < from.size(); ++i) to[roster.rowOf(particles.id[i])] = from[i];
   };
   sort(particles.id, sorted.id);
   sort(particles.position, sorted.position);

@@ -4,6 +4,7 @@
 #include "engine/core/scene.h"
 #include "engine/core/state_bytes.h"
 #include "engine/core/vec2.h"
+#include "engine/dem/population.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -33,6 +34,12 @@ struct Particles {
   /// difference.
   std::vector<Vec2> foreseen;
 
+  /// Which columns there are, also of no particles.
+  struct Columns {
+    bool spin = false, sizes = false, external = false;
+  };
+  Columns columns;
+
   std::size_t size() const { return position.size(); }
   bool areMixed() const { return !radii.empty(); }
   double radiusOf(std::size_t i) const { return areMixed() ? radii[i] : radius; }
@@ -42,6 +49,10 @@ struct Particles {
   }
   /// Gives every particle an external force and a drag coefficient, both zero, foreseen where it is.
   void addExternalForces();
+
+  /// Particles go to `places`, which ascend, or away where that is negative; newcomers stand behind them.
+  void exchange(const std::vector<std::int32_t>& places,
+                const std::vector<PopulationChange::Newcomer>& come);
 
   void save(StateWriter& out) const;
   /// Into as many particles, of the same scene, with external forces where those have them. False where

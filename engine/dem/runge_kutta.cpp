@@ -52,6 +52,13 @@ void RungeKutta4::begin(BedState& bed) {
   rebuild(bed);
 }
 
+void RungeKutta4::relist(BedState& bed) {
+  sum_.position.resize(bed.particles.size());
+  sum_.velocity.resize(bed.particles.size());
+  sum_.spin.resize(bed.particles.spin.size());
+  rebuild(bed);
+}
+
 StepOutcome RungeKutta4::advance(BedState& bed, std::int64_t steps, double maxOverlap) {
   StepOutcome outcome;
   for (; outcome.steps < steps && deepestOverlap(bed) <= maxOverlap; ++outcome.steps) {

@@ -17,6 +17,7 @@ class RungeKutta4 {
 
   void begin(BedState& bed);
   void goOn(BedState& bed) { fitHistory(bed); }
+  void relist(BedState& bed);
   StepOutcome advance(BedState& bed, std::int64_t steps, double maxOverlap);
 
  private:

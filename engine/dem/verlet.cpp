@@ -62,6 +62,19 @@ void Verlet::begin(BedState& bed) {
   });
 }
 
+// The coming step begins with the loads that ended the last one.
+void Verlet::relist(BedState& bed) {
+  const std::vector<Load> loads = bed.loads;
+  bed.team.run([&](int index) {
+    Member m = start(bed, index);
+    rebuild(bed, m, 0.0);
+    if (index == 0) bed.budget = m.budget;
+  });
+  if (!sorted_) return;
+  const std::vector<std::int32_t>& order = bed.contacts.order();
+  for (std::size_t k = 0; k < order.size(); ++k) bed.loads[k] = loads[order[k]];
+}
+
 StepOutcome Verlet::advance(BedState& bed, std::int64_t steps, double maxOverlap) {
   if (steps == 0) return {};
   contacts_.setStep(bed.step);

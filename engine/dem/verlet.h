@@ -19,6 +19,7 @@ class Verlet {
 
   void begin(BedState& bed);
   void goOn(BedState&) {}  // keeps nothing from step to step
+  void relist(BedState& bed);
   StepOutcome advance(BedState& bed, std::int64_t steps, double maxOverlap);
 
  private:

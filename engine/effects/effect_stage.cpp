@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "engine/effects/effect_stage.h"
 
+#include "engine/effects/feed_stage.h"
 #include "engine/effects/heat_stage.h"
 
 #include <array>
@@ -12,7 +13,8 @@ namespace {
 using Make = std::unique_ptr<EffectStage> (*)(const EffectContext&);
 
 /// Each makes its stage, or none where the scene does not have its table.
-constexpr std::array<Make, 1> makers{
+constexpr std::array<Make, 2> makers{
+    FeedStage::make,
     HeatStage::make,
 };
 

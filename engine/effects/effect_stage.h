@@ -6,7 +6,9 @@
 #include "engine/core/scene.h"
 #include "engine/core/state_bytes.h"
 #include "engine/core/thread_team.h"
+#include "engine/dem/population.h"
 
+#include <cstdint>
 #include <limits>
 #include <memory>
 #include <vector>
@@ -39,10 +41,16 @@ class EffectStage {
   virtual double longestStep() const { return std::numeric_limits<double>::infinity(); }
   /// Adds what the gas gets in the step (s) that comes to what it gets by drag.
   virtual void chargeGas([[maybe_unused]] double step, [[maybe_unused]] MomentumExchange& exchange) {}
+  /// Before the gas looks at the particles: who comes and goes after the stretch of `passed` s that is over.
+  /// The stage tells the solver and the gas of it; whatever else keeps something for each particle follows.
+  virtual PopulationChange exchange([[maybe_unused]] double passed) { return {}; }
+  virtual void follow([[maybe_unused]] const PopulationChange& change) {}
   /// After the gas has taken the step and the particles know what it does to them: what has happened to them
   /// since the last call, `passed` s ago, and what will in the `step` (s) to the next.
-  virtual void act(double passed, double step) = 0;
+  virtual void act([[maybe_unused]] double passed, [[maybe_unused]] double step) {}
 
+  /// Particles that find no room to come in.
+  virtual std::int64_t waiting() const { return 0; }
   virtual void fill([[maybe_unused]] Frame& frame) const {}
   virtual void hashInto([[maybe_unused]] StateHash& hash) const {}
   // What it keeps beside the columns of Particles; see state_bytes.h.

@@ -61,6 +61,14 @@ std::string cohesionNote(const Scene& scene) {
 bool hasHeat(const Scene& scene) { return scene.effects.find<HeatSettings>() != nullptr; }
 std::string heatNoteOf(const Scene& scene) { return hasHeat(scene) ? heatNote(scene) : "no table [heat]"; }
 
+bool hasFeed(const Scene& scene) { return scene.effects.find<FeedSettings>() != nullptr; }
+std::string feedNote(const Scene& scene) {
+  const FeedSettings* feed = scene.effects.find<FeedSettings>();
+  if (!feed) return "no table [feed]";
+  return fmt::format("{:g} 1/s in by {} streams, {} outlets, at most {} particles", feedRate(scene),
+                     feed->streams.size(), feed->outlets.size(), feed->most);
+}
+
 bool hasObstacles(const Scene& scene) { return !scene.obstacles.empty(); }
 std::string obstaclesNote(const Scene& scene) {
   if (scene.obstacles.empty()) return "no tables [[obstacles]]";
@@ -93,6 +101,7 @@ constexpr std::array table{
     EffectInfo{"contacts.rolling", "rolling resistance", hasRolling, rollingNote},
     EffectInfo{"cohesion", "cohesion", hasCohesion, cohesionNote},
     EffectInfo{"heat", "heat", hasHeat, heatNoteOf},
+    EffectInfo{"feed", "feed", hasFeed, feedNote},
 };
 
 }  // namespace

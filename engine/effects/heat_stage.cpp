@@ -42,13 +42,16 @@ std::unique_ptr<EffectStage> HeatStage::make(const EffectContext& context) {
   return std::make_unique<HeatStage>(context);
 }
 
+void HeatStage::Gas::resize(std::size_t particles) {
+  for (auto* column : {&conductance, &right, &upper}) column->resize(particles);
+  point.resize(particles);
+}
+
 HeatStage::Gas::Gas(const EffectContext& context)
     : law(context.scene),
       energy(context.scene, *context.gas, context.voidage->voidage()),
       atPoints(context.voidage->points().points()) {
-  const std::size_t n = context.solver.particles().size();
-  for (auto* column : {&conductance, &right, &upper}) column->resize(n);
-  point.resize(n);
+  resize(context.solver.particles().size());
   const CouplingGrid& grid = context.voidage->points();
   for (std::int32_t row = 0; row < grid.rows; ++row)
     for (std::int32_t column = 0; column < grid.stride; ++column) {
@@ -69,19 +72,29 @@ HeatStage::HeatStage(const EffectContext& context)
   if (context.gas) gas_.emplace(context);
 }
 
+void HeatStage::follow(const PopulationChange& change) {
+  change.apply(temperature_, [this](const PopulationChange::Newcomer& newcomer) {
+    const FeedStream& stream = context_.scene.effects.find<FeedSettings>()->streams[newcomer.stream];
+    return stream.temperature.value_or(context_.scene.effects.find<HeatSettings>()->temperature);
+  });
+  for (auto* column : {&here_, &capacity_, &flow_}) column->resize(temperature_.size());
+  if (gas_) gas_->resize(temperature_.size());
+}
+
 void HeatStage::act(double passed, double) {
   const Particles& particles = context_.solver.particles();
+  const Roster& roster = context_.solver.roster();
   for (std::size_t i = 0; i < here_.size(); ++i) {
-    here_[i] = temperature_[particles.id[i]];
+    here_[i] = temperature_[roster.rowOf(particles.id[i])];
     capacity_[i] = perMass_ * particles.massOf(i);
   }
   contacts_.evaluate(context_.solver, here_, flow_, context_.team);
   for (std::size_t i = 0; i < here_.size(); ++i) here_[i] += passed * flow_[i] / capacity_[i];
-  if (gas_) exchange(passed);
-  for (std::size_t i = 0; i < here_.size(); ++i) temperature_[particles.id[i]] = here_[i];
+  if (gas_) exchangeWithGas(passed);
+  for (std::size_t i = 0; i < here_.size(); ++i) temperature_[roster.rowOf(particles.id[i])] = here_[i];
 }
 
-void HeatStage::exchange(double passed) {
+void HeatStage::exchangeWithGas(double passed) {
   ThreadTeam& team = context_.team;
   const CouplingGrid& grid = context_.voidage->points();
   const std::size_t n = here_.size(), blocks = blocksOf(n);

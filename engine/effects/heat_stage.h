@@ -26,6 +26,7 @@ class HeatStage final : public EffectStage {
   explicit HeatStage(const EffectContext& context);
 
   double longestStep() const override { return longest_; }
+  void follow(const PopulationChange& change) override;
   void act(double passed, double step) override;
   void fill(Frame& frame) const override;
   void hashInto(StateHash& hash) const override;
@@ -43,6 +44,7 @@ class HeatStage final : public EffectStage {
   /// The gas and what ties it to the particles.
   struct Gas {
     explicit Gas(const EffectContext& context);
+    void resize(std::size_t particles);
 
     ConvectionLaw law;
     GasHeat energy;
@@ -58,7 +60,7 @@ class HeatStage final : public EffectStage {
   void giveToGas(double passed, Range block, BlockSum<Sums>& sum);
   void addToCells(Range columns);
   void takeFromGas(double passed, Range block);
-  void exchange(double passed);
+  void exchangeWithGas(double passed);
 
   const EffectContext context_;
   double perMass_;  // heat capacity of the solid, J/(kg K)

@@ -69,6 +69,16 @@ void GasSolver::startWith(const std::vector<double>& voidage) {
   publish(alone);
 }
 
+void GasSolver::replaceSolids(const std::vector<double>& before, const std::vector<double>& after) {
+  const int places = layout_.stride * (layout_.rows + 1);  // as in takeVoidage()
+  for (int c = 0; c < places; ++c) {
+    const int cell = layout_.voidageCell[c];
+    voidage_[c] += after[cell] - before[cell];
+  }
+  Member alone;
+  updateFaceVoidage(alone);
+}
+
 void GasSolver::save(StateWriter& out) const {
   out.put(sinceLast_);
   out.putAll(grid_.inletFlux);
@@ -130,6 +140,10 @@ void GasSolver::takeVoidage(Member& member, const std::vector<double>& voidage) 
     voidage_[c] = now;
   }
   member.wait();
+  updateFaceVoidage(member);
+}
+
+void GasSolver::updateFaceVoidage(Member& member) {
   for (const FaceFamily& family : layout_.families) {
     const Range mine = member.share(family.rows + 1);
     const int from = layout_.at(0, static_cast<int>(mine.begin) - 1),

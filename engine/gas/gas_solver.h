@@ -46,6 +46,9 @@ class GasSolver {
   void setInletFlux(const std::vector<double>& superficial);
   /// Sets the voidage the gas starts with, so that the first step sees no jump.
   void startWith(const std::vector<double>& voidage);
+  /// Where solids have come or gone at once, from the one voidage to the other (per cell): gas has changed
+  /// places with them, so that none has to flow.
+  void replaceSolids(const std::vector<double>& before, const std::vector<double>& after);
   /// Length of the steps from the next one on, s; the scene's until this is called.
   void setStep(double seconds);
   /// One step to the time at which `voidage` holds, with the particles' exchange() at that time. Where steps
@@ -63,6 +66,7 @@ class GasSolver {
   GasStepReport project(Member& member);
   GasStepReport simple(Member& member);
   void takeVoidage(Member& member, const std::vector<double>& voidage);
+  void updateFaceVoidage(Member& member);
   /// b of the pressure correction: minus each cell's imbalance, m3/s.
   void updateImbalance(Member& member);
   /// Its largest magnitude over the inflow; not a number where one is none.

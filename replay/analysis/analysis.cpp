@@ -13,6 +13,7 @@
 #include "replay/analysis/residence.h"
 #include "replay/analysis/sampling_size.h"
 #include "replay/analysis/spectrum.h"
+#include "replay/analysis/throughput.h"
 
 #include <fmt/format.h>
 
@@ -25,6 +26,7 @@ namespace {
 
 std::string_view nothing(const Scene&) { return ""; }
 std::string_view gas(const Scene& scene) { return scene.gas ? "" : "gas"; }
+std::string_view feed(const Scene& scene) { return scene.effects.find<FeedSettings>() ? "" : "a feed"; }
 
 template <class A>
 std::unique_ptr<Analysis> make(const AnalysisInput& input) {
@@ -55,6 +57,10 @@ constexpr std::array kinds{
     AnalysisKind{"residence",
                  "times that particles stay in either half and near the distributor, and until they are back",
                  "cycle times as of Stein et al. (2000), Chem. Eng. Sci. 55:5291", nothing, make<Residence>},
+    AnalysisKind{"throughput",
+                 "of a bed with a feed: who leaves, who is there, and how long those who come in stay",
+                 "Danckwerts (1953), Chem. Eng. Sci. 2:1; Kaplan & Meier (1958), J. Am. Stat. Assoc. 53:457",
+                 feed, make<Throughput>},
     AnalysisKind{
         "bubbles",
         "connected gas cells with more voidage than pictures.bubble_voidage, followed from frame to "

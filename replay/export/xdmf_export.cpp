@@ -120,6 +120,9 @@ Result<std::unique_ptr<Export>> XdmfExport::open(const ExportInput& input) {
   if (input.isForeign)
     return Diagnostic{{input.trajectory.string()},
                       "is another program's file, and XDMF points into trajectories of bedmix; take vtk"};
+  if (input.scene.effects.find<FeedSettings>())
+    return Diagnostic{{input.trajectory.string()},
+                      "has particles that come and go, which XDMF cannot leave out; take vtk"};
   auto particles = openCollection(input.folder / "particles.xmf");
   if (!particles) return std::move(particles.problems);
   std::unique_ptr<XdmfExport> made(new XdmfExport(input, std::move(*particles)));
