@@ -172,6 +172,7 @@ std::int64_t Simulation::State::nextStretch() const {
 
 /// After the present stretch.
 void Simulation::State::letInAndOut() {
+  StageClock clock(seconds);
   const double passed = static_cast<double>(stretch) * tick(scene);
   for (const auto& effect : effects) {
     const PopulationChange change = effect->exchange(passed);
@@ -182,6 +183,7 @@ void Simulation::State::letInAndOut() {
     });
     for (const auto& other : effects) other->follow(change);
   }
+  clock.lap(Stage::effects);
 }
 
 /// After a stretch of `before` ticks, with the coming one chosen.

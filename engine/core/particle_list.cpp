@@ -55,7 +55,9 @@ double diameterAt(const ParticleKind& kind, double share) {
 }
 
 double smallestDiameter(const ParticleKind& kind) { return diameterAt(kind, 0.0); }
-double massOf(const ParticleKind& kind, double diameter) { return kind.density * sphereVolume(diameter); }
+double massOf(const ParticleKind& kind, double radius) {
+  return kind.density * 4.0 / 3.0 * std::numbers::pi * radius * radius * radius;
+}
 
 std::optional<std::uint8_t> kindNamed(const Scene& scene, std::string_view name) {
   if (name.empty()) return 0;
@@ -141,7 +143,7 @@ ParticleRange particleRange(const Scene& scene) {
   ParticleRange range{infinity, 0.0, infinity, 0.0};
   for (const ParticleKind& kind : particleKinds(scene))
     for (const double diameter : {diameterAt(kind, 0.0), diameterAt(kind, 1.0)}) {
-      const double mass = massOf(kind, diameter);
+      const double mass = kind.density * sphereVolume(diameter);
       range.smallest = std::min(range.smallest, diameter);
       range.largest = std::max(range.largest, diameter);
       range.lightest = std::min(range.lightest, mass);

@@ -28,7 +28,7 @@ std::vector<ParticleKind> particleKinds(const Scene& scene);
 double smallestDiameter(const ParticleKind& kind);  // m
 /// The diameter below which a `share` of the kind's particles are, m.
 double diameterAt(const ParticleKind& kind, double share);
-double massOf(const ParticleKind& kind, double diameter);  // kg
+double massOf(const ParticleKind& kind, double radius);  // kg
 /// Number of the kind of that name; of the first where the name is empty, and of none where there is no such.
 std::optional<std::uint8_t> kindNamed(const Scene& scene, std::string_view name);
 /// The most particles that there may be at a time.

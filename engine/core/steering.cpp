@@ -51,6 +51,8 @@ constexpr std::array fixedSettings{
     Fixed{"sampling.interval", "frames fall on it"},
     Fixed{"heat.temperature", "the particles have begun with it"},
     Fixed{"heat.tracer_temperature", "the tracer has begun with it"},
+    Fixed{"feed.most", "room has been made for as many"},
+    Fixed{"feed.streams.species", filled},
 };
 
 std::string fixedText(std::string_view path) {
@@ -72,6 +74,11 @@ std::string refusal(const Scene& scene, const Override& change) {
   return fixedText(change.path);
 }
 
+std::size_t streamsOf(const Scene& scene) {
+  const FeedSettings* feed = scene.effects.find<FeedSettings>();
+  return feed ? feed->streams.size() : 0;
+}
+
 /// What a change of a whole table or list has changed that must not be; empty where all may.
 std::string refusal(const Scene& before, const Scene& after) {
   for (const EffectInfo& effect : effectTable())
@@ -79,6 +86,9 @@ std::string refusal(const Scene& before, const Scene& after) {
   if (before.gas && before.gas->inlets.size() != after.gas->inlets.size())
     return fmt::format("the number of inlets is fixed while a run goes on: there are {}, not {}",
                        before.gas->inlets.size(), after.gas->inlets.size());
+  if (streamsOf(before) != streamsOf(after))
+    return fmt::format("the number of streams is fixed while a run goes on: there are {}, not {}",
+                       streamsOf(before), streamsOf(after));
   const std::vector<SceneSetting> then = sceneSettings(before), now = sceneSettings(after);
   const auto firstFixed = [](const std::vector<SceneSetting>& these,
                              const std::vector<SceneSetting>& others) {

@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <numeric>
 #include <utility>
 
@@ -82,10 +81,7 @@ void addSizes(const Scene& scene, Particles& p) {
   // Who has been fed is not of the list; what he is a checkpoint tells.
   p.radii.resize(p.size(), 0.5 * scene.particles.diameter);
   p.kinds.resize(p.size());
-  for (std::size_t i = 0; i < p.size(); ++i) {
-    const double r = p.radii[i];
-    p.masses.push_back(kinds[p.kinds[i]].density * 4.0 / 3.0 * std::numbers::pi * r * r * r);
-  }
+  for (std::size_t i = 0; i < p.size(); ++i) p.masses.push_back(massOf(kinds[p.kinds[i]], p.radii[i]));
   const ParticleRange range = particleRange(scene);
   p.radius = 0.5 * range.largest;
   p.mass = range.heaviest;

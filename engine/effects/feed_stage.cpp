@@ -19,11 +19,11 @@ namespace {
 constexpr std::uint64_t ownSequence = 0x8cb92ba72f3d8dd7;
 constexpr int attempts = 8;  // at finding room, a stretch
 
-/// The time in which one who falls from rest falls a hundredth of a diameter.
-double longestStretch(const Scene& scene) {
-  const double fall = 0.02 * particleRange(scene).smallest;
-  const double often = feedRate(scene) > 0.0 ? 1.0 / feedRate(scene) : infinity;
-  return scene.gravity > 0.0 ? std::min(often, std::sqrt(fall / scene.gravity)) : often;
+/// The time in which one falls a hundredth of a diameter from rest; of particles that weigh nothing, that in
+/// which one comes in.
+double intervalOf(const Scene& scene) {
+  if (scene.gravity > 0.0) return std::sqrt(0.02 * particleRange(scene).smallest / scene.gravity);
+  return feedRate(scene) > 0.0 ? 1.0 / feedRate(scene) : infinity;
 }
 
 }  // namespace
@@ -37,17 +37,20 @@ FeedStage::FeedStage(const EffectContext& context)
     : context_(context),
       feed_(*context.scene.effects.find<FeedSettings>()),
       kinds_(particleKinds(context.scene)),
-      longest_(longestStretch(context.scene)),
+      interval_(intervalOf(context.scene)),
       streams_(feed_.streams.size()),
       next_(static_cast<std::int32_t>(context.solver.particles().size())) {}
 
 PopulationChange FeedStage::exchange(double passed) {
   PopulationChange change;
+  since_ += passed;
+  if (since_ < (1.0 - 1e-9) * interval_) return change;
   findGone(change);
   for (std::size_t s = 0; s < streams_.size(); ++s) {
-    streams_[s].owed += passed * feed_.streams[s].rate;
+    streams_[s].owed += since_ * feed_.streams[s].rate;
     letIn(s, change);
   }
+  since_ = 0.0;
   if (change.empty()) return change;
   if (context_.gas)
     exchangeInGas(change);
@@ -89,7 +92,7 @@ void FeedStage::letIn(std::size_t s, PopulationChange& change) {
     const double diameter = diameterAt(kinds_[kind], rng.uniform());
     Newcomer newcomer{.id = next_,
                       .radius = 0.5 * diameter,
-                      .mass = massOf(kinds_[kind], diameter),
+                      .mass = massOf(kinds_[kind], 0.5 * diameter),
                       .kind = kind,
                       .stream = s,
                       .position = {},
@@ -140,12 +143,14 @@ std::int64_t FeedStage::waiting() const {
 
 void FeedStage::hashInto(StateHash& hash) const {
   hash.add(static_cast<std::uint64_t>(next_));
+  hash.add(since_);
   for (const Stream& stream : streams_) hash.add(stream.owed);
 }
 
 void FeedStage::save(StateWriter& out) const {
   const Particles& particles = context_.solver.particles();
   out.put(next_);
+  out.put(since_);
   for (const Stream& stream : streams_) {
     out.put(stream.owed);
     out.put(stream.tries);
@@ -156,7 +161,7 @@ void FeedStage::save(StateWriter& out) const {
 
 bool FeedStage::load(StateReader& in) {
   Particles& particles = context_.solver.particles();
-  if (!in.get(next_)) return false;
+  if (!(in.get(next_) && in.get(since_) && since_ >= 0.0)) return false;
   const std::vector<std::int32_t>& ids = context_.solver.roster().ids();
   if (next_ < 0 || (!ids.empty() && next_ <= ids.back())) return false;
   for (Stream& stream : streams_)
@@ -167,7 +172,7 @@ bool FeedStage::load(StateReader& in) {
     const double diameter = 2.0 * particles.radii[i];
     if (particles.kinds[i] >= kinds_.size() || !(diameter >= range.smallest && diameter <= range.largest))
       return false;
-    particles.masses[i] = massOf(kinds_[particles.kinds[i]], diameter);
+    particles.masses[i] = massOf(kinds_[particles.kinds[i]], particles.radii[i]);
   }
   return true;
 }

@@ -43,6 +43,14 @@ std::vector<Override> turningOn(const std::string& key) {
   if (key.starts_with("cohesion.liquid_bridge"))
     return {{"cohesion", "{liquid_bridge = {surface_tension = 0.01}}"}};
   if (key.starts_with("heat")) return {{"heat", "{heat_capacity = 840.0, conductivity = 1.0, gas = {}}"}};
+  if (key.starts_with("feed")) {
+    std::vector<Override> changes{
+        {"feed", "{most = 200, streams = [{rate = 500.0, from = 0.0, to = 0.03, y = 0.1}], "
+                 "outlets = [{from = 0.04, to = 0.048, bottom = 0.0, top = 0.05}]}"}};
+    if (key.ends_with("temperature"))
+      changes.push_back({"heat", "{heat_capacity = 840.0, conductivity = 1.0, gas = {}}"});
+    return changes;
+  }
   if (key.starts_with("gas.inlets.pulse")) {
     const char* shape = key.ends_with("duty") ? "square" : "sine";
     return {
@@ -89,6 +97,17 @@ const std::map<std::string, std::vector<Override>> otherValues{
     {"heat.gas.conductivity", {{"heat.gas.conductivity", "0.05"}}},
     {"heat.gas.temperature", {{"heat.gas.temperature", "400.0"}}},
     {"heat.gas.inlet_temperature", {{"heat.gas.inlet_temperature", "400.0"}}},
+    {"feed.streams.rate", {{"feed.streams.0.rate", "200.0"}}},
+    {"feed.streams.from", {{"feed.streams.0.from", "0.01"}}},
+    {"feed.streams.to", {{"feed.streams.0.to", "0.02"}}},
+    {"feed.streams.y", {{"feed.streams.0.y", "0.11"}}},
+    {"feed.streams.vx", {{"feed.streams.0.vx", "0.1"}}},
+    {"feed.streams.vy", {{"feed.streams.0.vy", "-0.1"}}},
+    {"feed.streams.temperature", {{"feed.streams.0.temperature", "400.0"}}},
+    {"feed.outlets.from", {{"feed.outlets.0.from", "0.03"}}},
+    {"feed.outlets.to", {{"feed.outlets.0.to", "0.044"}}},
+    {"feed.outlets.bottom", {{"feed.outlets.0.bottom", "0.01"}}},
+    {"feed.outlets.top", {{"feed.outlets.0.top", "0.06"}}},
     {"gas.inlets.pulse.shape", {{"gas.inlets.0.pulse.shape", "square"}}},
     {"gas.inlets.pulse.frequency", {{"gas.inlets.0.pulse.frequency", "10.0"}}},
     {"gas.inlets.pulse.amplitude", {{"gas.inlets.0.pulse.amplitude", "0.2"}}},

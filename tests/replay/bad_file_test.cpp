@@ -173,6 +173,28 @@ TEST_F(BadFile, NoNumberInAFrame) {
   }
 }
 
+TEST_F(BadFile, NoParticlesThatComeAndGo) {
+  addFeed(scene_);
+  const std::tuple<const char*, double, const char*> cases[] = {
+      {"particles/all/id/value", 4000.0, "the id"},       {"particles/all/id/value", -7.0, "the id -7"},
+      {"particles/all/species/value", 2.0, "the species 2"}, {"particles/all/kind/value", 9.0, "the kind 9"},
+      {"particles/all/radius/value", 0.0, "the radius 0"},
+  };
+  for (const auto& [path, value, part] : cases) {
+    std::filesystem::remove(path_);
+    record(path_, scene_, 12);
+    overwrite(path, 5, value);
+    auto reader = TrajectoryReader::open(path_);
+    ASSERT_TRUE(reader) << path;
+    const auto frame = reader->frame(5);
+    ASSERT_FALSE(frame) << path;
+    EXPECT_NE(frame.problems.front().message.find(part), std::string::npos) << frame.problems.front().message;
+    EXPECT_TRUE(reader->frame(6)) << path;
+  }
+  remove("particles/all/id/value");
+  expectMessage("particles/all/id/value");
+}
+
 TEST_F(BadFile, AnUnfinishedLastFrameIsNotCounted) {
   setRows("particles/all/position/value", 13);
   EXPECT_EQ(playBack(path_, scene_).frames, 12u);

@@ -110,6 +110,23 @@ TEST_F(ExportFormats, TablesHoldTemperatures) {
   EXPECT_EQ(static_cast<float>(*gas->columns.back()[0]), first.gas.temperature[0]);
 }
 
+TEST_F(ExportFormats, HoldThoseWhoAreThereOfParticlesThatComeAndGo) {
+  addFeed(scene_);
+  write("csv");
+  const auto particles = readCsv(folder_ / "particles.csv");
+  ASSERT_TRUE(particles);
+  std::size_t row = 0;
+  for (const std::size_t index : selected)
+    for (const std::int32_t id : syntheticFrame(scene_, static_cast<int>(index)).id)
+      EXPECT_EQ(particles->columns[1][row++], static_cast<double>(id));
+  EXPECT_EQ(particles->rows(), row);
+  EXPECT_GT(row, 0u);
+  const auto xdmf =
+      (*findExportFormat("xdmf"))->open({scene_, folder_ / "trajectory.h5", 5, selected, folder_.path()});
+  ASSERT_FALSE(xdmf);
+  EXPECT_NE(xdmf.problems.front().message.find("take vtk"), std::string::npos);
+}
+
 TEST_F(ExportFormats, ADumpHoldsTheFramesOfItsTimes) {
   write("lammps");
   std::istringstream text(fileText(folder_ / "particles.lammpstrj"));

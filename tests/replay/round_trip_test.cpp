@@ -9,13 +9,14 @@
 namespace bedmix::test {
 namespace {
 
-/// With gas, friction, heat.
-class RoundTrip : public testing::TestWithParam<std::tuple<bool, bool, bool>> {};
+/// With gas, friction, heat, feed.
+class RoundTrip : public testing::TestWithParam<std::tuple<bool, bool, bool, bool>> {};
 
 TEST_P(RoundTrip, GivesBackEveryBit) {
-  const auto [gas, friction, heat] = GetParam();
+  const auto [gas, friction, heat, feed] = GetParam();
   Scene scene = syntheticScene(gas, friction);
   if (heat) addHeat(scene);
+  if (feed) addFeed(scene);
   const TemporaryFolder folder;
   record(folder / "trajectory.h5", scene, 150);
 
@@ -33,7 +34,7 @@ TEST_P(RoundTrip, GivesBackEveryBit) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Effects, RoundTrip,
-                         testing::Combine(testing::Bool(), testing::Bool(), testing::Bool()));
+                         testing::Combine(testing::Bool(), testing::Bool(), testing::Bool(), testing::Bool()));
 
 TEST(RoundTrip, ManyFramesSplitTheTreesOfChunks) {
   const Scene scene = syntheticScene(true, false, 3);

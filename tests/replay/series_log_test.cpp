@@ -113,6 +113,29 @@ TEST(HeatLog, WritesMeansAndHeat) {
   }
 }
 
+TEST(FeedLog, CountsWhoCameAndWent) {
+  Scene scene = syntheticScene(false, false, 4);
+  scene.effects.at<FeedSettings>().emplace().most = 10;
+  const TemporaryFolder folder;
+  auto log = FeedLog::create(folder / "feed.csv", scene);
+  ASSERT_TRUE(log);
+  Frame frame = syntheticFrame(scene, 1);
+  frame.position.resize(2);
+  for (const std::vector<std::int32_t>& id :
+       {std::vector<std::int32_t>{0, 3}, {1, 6}, {1, 2}}) {  // 4 and 5 came and went unseen
+    frame.id = id;
+    frame.time += 1.0;
+    log->accept(frame);
+  }
+  const auto table = readCsv(folder / "feed.csv");
+  ASSERT_TRUE(table);
+  EXPECT_EQ(table->names, (std::vector<std::string>{"time", "particles", "mass", "entered", "left"}));
+  EXPECT_EQ(table->columns[1], (Table::Column{2.0, 2.0, 2.0}));
+  EXPECT_NEAR(*table->columns[2][1], 2.0 * particleMass(scene), 1e-15);
+  EXPECT_EQ(table->columns[3], (Table::Column{0.0, 3.0, 3.0}));
+  EXPECT_EQ(table->columns[4], (Table::Column{2.0, 5.0, 5.0}));
+}
+
 TEST(SeriesLogs, LiveAndReplayedAreTheSameBytes) {
   const Scene scene = syntheticScene(true, true, 500);
   const TemporaryFolder folder;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "tests/replay/synthetic.h"
 
+#include "engine/core/particle_list.h"
 #include "replay/trajectory_reader.h"
 #include "replay/trajectory_writer.h"
 
@@ -42,19 +43,33 @@ void addHeat(Scene& scene) {
   if (scene.gas) heat.gas.emplace();
 }
 
+void addFeed(Scene& scene) {
+  scene.particles.species.push_back({"other", 0, 0.003, {}, {}});
+  FeedSettings& feed = scene.effects.at<FeedSettings>().emplace();
+  feed.most = scene.particles.count + 3;
+  feed.streams = {{.species = "other", .rate = 100.0, .from = 0.0, .to = 0.02, .y = 0.1}};
+}
+
 Frame syntheticFrame(const Scene& scene, int index) {
   Rng rng(static_cast<std::uint64_t>(index) + 1000);
   const auto draw = [&](double low, double high) { return static_cast<float>(rng.uniform(low, high)); };
   Frame frame;
   frame.step = std::int64_t{1000} * index;
   frame.time = index / 100.0;
-  for (int i = 0; i < scene.particles.count; ++i) {
+  // With a feed some have come and others gone.
+  const bool isFed = scene.effects.find<FeedSettings>() != nullptr;
+  const auto most = static_cast<int>(mostParticles(scene));
+  const int count = isFed ? 7 * index % (most + 1) : most;
+  for (int i = 0; i < count; ++i) {
     frame.position.push_back({draw(0.0, 0.048), draw(0.0, 0.12)});
     frame.velocity.push_back({draw(-2.0, 2.0), i % 7 == 0 ? -0.0f : draw(-1e-39, 1e-39)});
     if (scene.contacts.friction) frame.angularVelocity.push_back(draw(-1e3, 1e3));
     if (scene.effects.find<HeatSettings>()) frame.temperature.push_back(draw(250.0, 900.0));
     frame.species.push_back(i % 3 == 0);
-    frame.id.push_back(i);
+    frame.id.push_back(isFed ? index / 2 + 2 * i : i);
+    if (!isFed) continue;
+    frame.kind.push_back(i % 2 == 0);
+    frame.radius.push_back(draw(1e-3, 2e-3));
   }
   if (scene.gas) {
     for (int c = 0; c < 40; ++c) {
@@ -82,6 +97,7 @@ bool sameBits(const Frame& a, const Frame& b) {
          sameBytes(a.position, b.position) && sameBytes(a.velocity, b.velocity) &&
          sameBytes(a.angularVelocity, b.angularVelocity) && sameBytes(a.temperature, b.temperature) &&
          sameBytes(a.gas.temperature, b.gas.temperature) && a.species == b.species && a.id == b.id &&
+         sameBytes(a.radius, b.radius) && a.kind == b.kind &&
          sameBytes(a.gas.voidage, b.gas.voidage) && sameBytes(a.gas.pressure, b.gas.pressure) &&
          sameBytes(a.gas.velocity, b.gas.velocity);
 }

@@ -16,6 +16,8 @@ namespace bedmix::test {
 /// A small bed; with the effects asked for.
 Scene syntheticScene(bool gas, bool friction, int particles = 60);
 void addHeat(Scene& scene);
+/// Particles of two kinds come and go.
+void addFeed(Scene& scene);
 
 /// Frame `index` of a run of that scene: a function of its index alone, so that any process can tell what a
 /// frame must be.

@@ -44,6 +44,7 @@ TEST(TracerChoice, TagsByRulePartsAndExpression) {
   EXPECT_EQ(tags("layers=8"), (Tags{1, 0, 1, 0, 1, 0, 1, 0}));
   EXPECT_EQ(tags("x > width/2 && y < 0.055"), (Tags{0, 0, 0, 0, 1, 1, 0, 0}));
   EXPECT_EQ(tags("species == 1 || id == 17"), (Tags{0, 0, 1, 0, 0, 0, 0, 1}));
+  EXPECT_EQ(tags("fed"), (Tags{1, 1, 1, 1, 1, 1, 1, 1}));  // those at the start were 0 to 7
   EXPECT_EQ(tags("vx >= 6"), (Tags{0, 0, 0, 0, 0, 0, 1, 1}));
 }
 
