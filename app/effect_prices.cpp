@@ -21,7 +21,7 @@ namespace {
 constexpr int turns = 5;                        // of which the median counts
 constexpr std::int64_t fewestSteps = 20;        // in a turn
 constexpr double turnSeconds = 0.02;            // of wall time, at least
-constexpr std::int64_t mostPriced = 50000;   // with which that is a moment
+constexpr std::int64_t mostPriced = 50000;      // with which that is a moment
 constexpr double spacing = 0.999, stir = 0.05;  // diameters; m/s
 
 /// The scene without some tables; none where it cannot be.

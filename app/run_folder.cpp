@@ -55,9 +55,8 @@ Result<RunFolder> makeRunFolder(const fs::path& path, bool force) {
         "this folder is not empty; give another with -o, --resume to go on with the run in it, or "
         "--force to replace that (other files in it are kept)"};
   const RunFolder old{path};
-  for (const fs::path& file :
-       {old.trajectory(), old.mixing(), old.flux(), old.pressure(), old.heat(), old.feed(), old.summary(),
-        old.video()}) {
+  for (const fs::path& file : {old.trajectory(), old.mixing(), old.flux(), old.pressure(), old.heat(),
+                               old.feed(), old.summary(), old.video()}) {
     fs::remove(file, error);
     if (error) return trouble(file, fmt::format("cannot be removed: {}", error.message()));
   }

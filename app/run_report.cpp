@@ -43,10 +43,10 @@ void reportSteps(const Console& console, const Scene& scene, const StepReport& r
     console.say(fmt::format("up to {} particles at a time were above the gas grid and fell without gas",
                             report.aboveGridLargest));
   if (report.waitingLargest > 0)
-    console.warn(
-        fmt::format("up to {} particles found no room to come in and waited; lower the rates of feed.streams, "
-                    "widen their lines or raise feed.most",
-                    report.waitingLargest));
+    console.warn(fmt::format(
+        "up to {} particles found no room to come in and waited; lower the rates of feed.streams, "
+        "widen their lines or raise feed.most",
+        report.waitingLargest));
   if (report.largestCourant > 1.0)
     console.warn(
         fmt::format("gas passed {:.2g} cells in a step, where time is resolved below 1; lower gas.step",

@@ -28,7 +28,8 @@ constexpr std::array pressureColumns{PlotColumn{"pressure_drop", "pressure drop"
 constexpr std::array heatColumns{PlotColumn{"particle_temperature", "particles"},
                                  PlotColumn{"outlet_temperature", "gas at the outlet"}};
 constexpr std::array feedColumns{PlotColumn{"particles", "in the bed"}, PlotColumn{"left", "left so far"}};
-constexpr std::array residenceColumns{PlotColumn{"share", "left after"}, PlotColumn{"stirred", "stirred tank"}};
+constexpr std::array residenceColumns{PlotColumn{"share", "left after"},
+                                      PlotColumn{"stirred", "stirred tank"}};
 
 const std::array kinds{
     PlotKind{"mixing", "mixing.csv", mixingColumns, "mixing index", -0.1, 1.3},

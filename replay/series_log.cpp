@@ -66,7 +66,8 @@ std::optional<Diagnostic> FeedLog::write(const Frame& frame) {
   for (std::size_t i = 0; i < frame.size(); ++i) mass += massOf(scene_, frame, i);
   // Ids count up from 0.
   const double ever = static_cast<double>(newest_) + 1.0, there = static_cast<double>(frame.size());
-  return csv_.row({frame.time, there, mass, ever - static_cast<double>(scene_.particles.count), ever - there});
+  return csv_.row(
+      {frame.time, there, mass, ever - static_cast<double>(scene_.particles.count), ever - there});
 }
 
 }  // namespace bedmix

@@ -28,7 +28,7 @@ struct RunConstants {
   std::vector<RunEvent> events;  // likewise
   std::size_t recorded = 0;      // frames there are said to be; of remains there may be fewer
   std::vector<std::int64_t> steps;
-  std::vector<double> times;  // s, as many
+  std::vector<double> times;          // s, as many
   std::vector<std::uint8_t> species;  // empty with a feed, like all below
   std::vector<std::int32_t> id;
   std::vector<float> radius;  // m, empty where all are alike, like kind

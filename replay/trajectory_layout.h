@@ -18,8 +18,9 @@
 //   particles/all/id             [N]
 //   particles/all/radius         [N] float, m; only where particles differ, like kind
 //   particles/all/kind           [N] numbers of particleKinds()
-//                                With a feed these four are value[T][N], too: N is then the most particles that
-//                                there may be, who is there stands first, by id, and whoever is not has id -1
+//                                With a feed these four are value[T][N], too: N is then the most particles
+//                                that there may be, who is there stands first, by id, and whoever is not has
+//                                id -1
 //   observables/...              value[T] double, NaN where undefined
 //   parameters/scene             the scene as TOML, every default resolved
 //   parameters/...               scene_name, seed, version, commit

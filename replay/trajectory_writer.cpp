@@ -165,8 +165,7 @@ struct TrajectoryWriter::State {
     add<float>(layout::position, {n, 2}, rowsOf(&Frame::position));
     add<float>(layout::velocity, {n, 2}, rowsOf(&Frame::velocity));
     if (scene.contacts.friction) add<float>(layout::angularVelocity, {n}, rowsOf(&Frame::angularVelocity));
-    if (scene.effects.find<HeatSettings>())
-      add<float>(layout::temperature, {n}, rowsOf(&Frame::temperature));
+    if (scene.effects.find<HeatSettings>()) add<float>(layout::temperature, {n}, rowsOf(&Frame::temperature));
     if (!isFed) return;
     add<std::int32_t>(layout::id, {n}, rowsOf(&Frame::id, -1));
     add<std::uint8_t>(layout::species, {n}, rowsOf(&Frame::species));
@@ -179,8 +178,8 @@ struct TrajectoryWriter::State {
   template <class T>
   std::function<Bytes(const Frame&)> rowsOf(std::vector<T> Frame::*column, T absent = T()) const {
     if (!isFed) return [column](const Frame& f) { return bytes(f.*column); };
-    return [column, absent, row = std::vector<T>(static_cast<std::size_t>(mostParticles(scene)))](
-               const Frame& f) mutable {
+    return [column, absent,
+            row = std::vector<T>(static_cast<std::size_t>(mostParticles(scene)))](const Frame& f) mutable {
       const std::vector<T>& there = f.*column;
       if (there.size() > row.size())
         throw Hdf5Error("cannot write step " + std::to_string(f.step) + ": it has more particles than " +

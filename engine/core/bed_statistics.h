@@ -31,7 +31,8 @@ double outletTemperature(const Frame& frame, const GasGrid& grid);
 /// Heat that the particles hold above what they would at heat.temperature, J.
 double particleHeat(const Frame& frame, const Scene& scene);
 
-/// Tags 1 = tracer by rule, for positions at the start, when nobody has been fed. `kind` is that of Frame, and may be empty.
+/// Tags 1 = tracer by rule, for positions at the start, when nobody has been fed. `kind` is that of Frame,
+/// and may be empty.
 std::vector<std::uint8_t> tagTracer(TracerRule rule, const std::vector<Vec2f>& position,
                                     const std::vector<std::uint8_t>& kind, double width);
 /// The same of one that comes in later.

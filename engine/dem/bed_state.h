@@ -65,8 +65,7 @@ struct BedState {
 
   /// Particles go to `places` in memory, which ascend, or away where that is negative; newcomers stand behind
   /// them. Loads and what contacts remember go with them, lists have to be made anew.
-  void exchange(const std::vector<std::int32_t>& places,
-                const std::vector<PopulationChange::Newcomer>& come);
+  void exchange(const std::vector<std::int32_t>& places, const std::vector<PopulationChange::Newcomer>& come);
 
   /// With all of the particles, but lists, loads and budget only once the lists have been made (`begun`).
   void save(StateWriter& out, bool begun) const;

@@ -140,8 +140,8 @@ class ContactList {
   /// What is left of the skin after that; negative where it is too little to go on with.
   double remainder(const Displacements& d) const;
 
-  /// Before a new list of other particles: those there are go to `places`, which ascend, or away where that is
-  /// negative, and are `particles` with those that have come.
+  /// Before a new list of other particles: those there are go to `places`, which ascend, or away where that
+  /// is negative, and are `particles` with those that have come.
   void renumber(const std::vector<std::int32_t>& places, std::size_t particles);
 
   void save(StateWriter& out) const;

@@ -51,8 +51,7 @@ struct Particles {
   void addExternalForces();
 
   /// Particles go to `places`, which ascend, or away where that is negative; newcomers stand behind them.
-  void exchange(const std::vector<std::int32_t>& places,
-                const std::vector<PopulationChange::Newcomer>& come);
+  void exchange(const std::vector<std::int32_t>& places, const std::vector<PopulationChange::Newcomer>& come);
 
   void save(StateWriter& out) const;
   /// Into as many particles, of the same scene, with external forces where those have them. False where

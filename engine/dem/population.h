@@ -29,10 +29,10 @@ class Roster {
 /// Particles that come and go between two steps.
 struct PopulationChange {
   struct Newcomer {
-    std::int32_t id;        // more than any was before
-    double radius, mass;    // m, kg
-    std::uint8_t kind;      // number of particleKinds()
-    std::size_t stream;     // of the feed, by which it comes
+    std::int32_t id;          // more than any was before
+    double radius, mass;      // m, kg
+    std::uint8_t kind;        // number of particleKinds()
+    std::size_t stream;       // of the feed, by which it comes
     Vec2 position, velocity;  // m, m/s; without spin
   };
   std::vector<std::size_t> gone;  // rows, ascending

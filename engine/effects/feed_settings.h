@@ -13,13 +13,13 @@ namespace bedmix {
 
 /// Particles that come in on a level line, one by one, at random places of it.
 struct FeedStream {
-  std::string species = {};           // name of a kind; the first where absent
-  double rate = 0.0;                  // 1/s
-  double from = 0.0;                  // m, of the line
-  double to = 0.0;                    // m
-  double y = 0.0;                     // m
-  double vx = 0.0;                    // m/s, with which they come in
-  double vy = 0.0;                    // m/s, upward
+  std::string species = {};                // name of a kind; the first where absent
+  double rate = 0.0;                       // 1/s
+  double from = 0.0;                       // m, of the line
+  double to = 0.0;                         // m
+  double y = 0.0;                          // m
+  double vx = 0.0;                         // m/s, with which they come in
+  double vy = 0.0;                         // m/s, upward
   std::optional<double> temperature = {};  // K, with heat
 };
 

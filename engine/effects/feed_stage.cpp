@@ -77,8 +77,7 @@ void FeedStage::findGone(PopulationChange& change) const {
     });
   };
   for (std::size_t i = 0; i < particles.size(); ++i)
-    if (isOut(particles.position[i]))
-      change.gone.push_back(context_.solver.roster().rowOf(particles.id[i]));
+    if (isOut(particles.position[i])) change.gone.push_back(context_.solver.roster().rowOf(particles.id[i]));
   std::sort(change.gone.begin(), change.gone.end());
 }
 

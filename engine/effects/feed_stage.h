@@ -11,9 +11,9 @@
 namespace bedmix {
 
 /// Continuous operation: particles come in by the streams of [feed] and are taken out by its outlets, as
-/// often as nobody falls far meanwhile: each time needs a new list of neighbours. A stream owes so many as its
-/// rate says; each comes in at a random place of its line where it touches neither particles nor walls, and
-/// waits where there is none. Ids count up, so that they tell who came when; nobody gets that of another.
+/// often as nobody falls far meanwhile: each time needs a new list of neighbours. A stream owes so many as
+/// its rate says; each comes in at a random place of its line where it touches neither particles nor walls,
+/// and waits where there is none. Ids count up, so that they tell who came when; nobody gets that of another.
 /// What comes or goes within the gas changes places with as much of it: neither makes it flow.
 class FeedStage final : public EffectStage {
  public:
@@ -44,10 +44,10 @@ class FeedStage final : public EffectStage {
   EffectContext context_;
   const FeedSettings& feed_;
   std::vector<ParticleKind> kinds_;
-  double interval_;      // s, at least, from one exchange to the next
-  double since_ = 0.0;   // s, since the last one
+  double interval_;     // s, at least, from one exchange to the next
+  double since_ = 0.0;  // s, since the last one
   std::vector<Stream> streams_;
-  std::int32_t next_;  // id
+  std::int32_t next_;           // id
   std::vector<double> before_;  // voidage, per cell
 };
 

@@ -43,8 +43,8 @@ void Throughput::accept(const Frame& frame) {
     if (begun_) {
       // Ids are consecutive: who came and left between two frames is counted, too.
       const double came = frame.id.back() - newest_;
-      const auto seen = std::count_if(present.begin(), present.end(),
-                                      [&](const Present& p) { return p.id > newest_; });
+      const auto seen =
+          std::count_if(present.begin(), present.end(), [&](const Present& p) { return p.id > newest_; });
       entered_ += came;
       left_ += came - static_cast<double>(seen);
     }
@@ -94,8 +94,7 @@ std::optional<double> Throughput::holdUpOverOutflow() const {
 std::vector<NamedTable> Throughput::tables() const {
   Table table{{"time", "left", "density", "share", "stirred"}, std::vector<Table::Column>(5)};
   const Shares s = shares();
-  const auto tau = holdUpOverOutflow();
-  if (!s.time.empty() && tau) {
+  if (!s.time.empty()) {
     const double width = s.time.back() / static_cast<double>(rows);
     double share = 0.0;
     for (std::size_t row = 1, k = 0; row <= rows; ++row) {
@@ -105,7 +104,7 @@ std::vector<NamedTable> Throughput::tables() const {
         left += s.left[k];
         share = s.share[k];
       }
-      table.append({time, left, (share - before) / width, share, 1.0 - std::exp(-time / *tau)});
+      table.append({time, left, (share - before) / width, share, 1.0 - std::exp(-time / s.mean)});
     }
   }
   return {{"residence_times", std::move(table)}};

@@ -14,11 +14,11 @@ namespace bedmix {
 /// times). A stay is from the first frame with a particle to the first without it. Who is still there at the
 /// end has stayed for at least as long: the share F(t) that has left is after Kaplan & Meier (1958), which
 /// such stays do not bias; from it come mean, variance, and the number of stirred tanks in series with that
-/// variance. A single stirred tank has F = 1 - exp(-t/tau). In a steady state the mean is tau, those there
-/// over those who leave in a second, whatever the bed does (Danckwerts 1953).
+/// variance. A single stirred tank has F = 1 - exp(-t/tau). In a steady state the mean is those there over
+/// those who leave in a second, whatever the bed does (Danckwerts 1953).
 ///
 /// Table "residence_times": time, s; left, stays that ended since the time before; density, 1/s; share F;
-/// stirred, F of a stirred tank of the same tau.
+/// stirred, F of a stirred tank of the same mean.
 class Throughput final : public Analysis {
  public:
   explicit Throughput(const AnalysisInput& input);
@@ -48,8 +48,8 @@ class Throughput final : public Analysis {
     std::int32_t id;
     double since;  // s; of those who were there at the start the first frame's
   };
-  std::vector<Present> present_;  // by id
-  std::vector<double> stays_;     // s
+  std::vector<Present> present_;                   // by id
+  std::vector<double> stays_;                      // s
   double begin_ = 0.0, now_ = 0.0, holdUp_ = 0.0;  // s, s, particles times s
   double left_ = 0.0, entered_ = 0.0;
   std::int32_t newest_ = -1;

@@ -57,6 +57,13 @@ TEST(Absence, KeepsNothingOfEffectsThatAreOff) {
   EXPECT_EQ(perParticle(gas), plain + 16.0 + 8.0 + 16.0);  // force, drag, where it was foreseen
   EXPECT_EQ(perParticle([](Scene& s) { s.effects.at<HeatSettings>().emplace().heatCapacity = 840.0; }),
             plain + 8.0);  // temperature
+  // Of a feed both beds have room for as many.
+  EXPECT_EQ(perParticle([](Scene& s) {
+              FeedSettings& feed = s.effects.at<FeedSettings>().emplace();
+              feed.most = 100;
+              feed.outlets = {{0.0, 0.01, 0.0, 0.01}};
+            }),
+            plain);
   // Contacts that differ have no state of their own.
   EXPECT_EQ(perParticle([](Scene& s) {
               s.contacts.hertz.emplace();

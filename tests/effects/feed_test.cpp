@@ -64,8 +64,8 @@ TEST(Feed, ParticlesFallAlongAParabolaAndStayAsLongAsThatTakes) {
       const Vec2f at = frame->position[p];
       // The time of flight from the speed, since it came in between two looks.
       const double fallen = (-0.2 - static_cast<double>(frame->velocity[p].y)) / scene.gravity;
-      const auto [flight, isNew] = flights.try_emplace(
-          frame->id[p], Flight{at.x - 0.1 * fallen, 0.25, frame->time - fallen});
+      const auto [flight, isNew] =
+          flights.try_emplace(frame->id[p], Flight{at.x - 0.1 * fallen, 0.25, frame->time - fallen});
       EXPECT_TRUE(!isNew || fallen <= stride * 1e-5 + 1e-6) << fallen;
       const double t = frame->time - flight->second.since;
       EXPECT_NEAR(at.x, flight->second.x + 0.1 * t, 1e-6);

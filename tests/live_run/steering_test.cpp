@@ -44,9 +44,9 @@ std::vector<Override> turningOn(const std::string& key) {
     return {{"cohesion", "{liquid_bridge = {surface_tension = 0.01}}"}};
   if (key.starts_with("heat")) return {{"heat", "{heat_capacity = 840.0, conductivity = 1.0, gas = {}}"}};
   if (key.starts_with("feed")) {
-    std::vector<Override> changes{
-        {"feed", "{most = 200, streams = [{rate = 500.0, from = 0.0, to = 0.03, y = 0.1}], "
-                 "outlets = [{from = 0.04, to = 0.048, bottom = 0.0, top = 0.05}]}"}};
+    std::vector<Override> changes{{"feed",
+                                   "{most = 200, streams = [{rate = 500.0, from = 0.0, to = 0.03, y = 0.1}], "
+                                   "outlets = [{from = 0.04, to = 0.048, bottom = 0.0, top = 0.05}]}"}};
     if (key.ends_with("temperature"))
       changes.push_back({"heat", "{heat_capacity = 840.0, conductivity = 1.0, gas = {}}"});
     return changes;

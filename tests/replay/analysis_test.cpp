@@ -14,8 +14,11 @@ namespace {
 
 TEST(Analyses, AreChosenByNameOrAsFarAsTheSceneHasWhatTheyNeed) {
   const Scene dry = syntheticScene(false, false), wet = syntheticScene(true, false);
-  EXPECT_EQ(chooseAnalyses("all", wet)->size(), analysisKinds().size());
-  EXPECT_LT(chooseAnalyses("all", dry)->size(), analysisKinds().size());
+  Scene fed = wet;
+  addFeed(fed);
+  EXPECT_EQ(chooseAnalyses("all", fed)->size(), analysisKinds().size());
+  EXPECT_EQ(chooseAnalyses("all", wet)->size(), analysisKinds().size() - 1);
+  EXPECT_LT(chooseAnalyses("all", dry)->size(), analysisKinds().size() - 1);
   EXPECT_EQ(chooseAnalyses("flux,dispersion,flux", dry)->size(), 2u);
   const auto lacking = chooseAnalyses("bubbles", dry);
   ASSERT_FALSE(lacking);

@@ -176,7 +176,7 @@ TEST_F(BadFile, NoNumberInAFrame) {
 TEST_F(BadFile, NoParticlesThatComeAndGo) {
   addFeed(scene_);
   const std::tuple<const char*, double, const char*> cases[] = {
-      {"particles/all/id/value", 4000.0, "the id"},       {"particles/all/id/value", -7.0, "the id -7"},
+      {"particles/all/id/value", 4000.0, "the id"},          {"particles/all/id/value", -7.0, "the id -7"},
       {"particles/all/species/value", 2.0, "the species 2"}, {"particles/all/kind/value", 9.0, "the kind 9"},
       {"particles/all/radius/value", 0.0, "the radius 0"},
   };

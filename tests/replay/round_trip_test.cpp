@@ -34,7 +34,8 @@ TEST_P(RoundTrip, GivesBackEveryBit) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Effects, RoundTrip,
-                         testing::Combine(testing::Bool(), testing::Bool(), testing::Bool(), testing::Bool()));
+                         testing::Combine(testing::Bool(), testing::Bool(), testing::Bool(),
+                                          testing::Bool()));
 
 TEST(RoundTrip, ManyFramesSplitTheTreesOfChunks) {
   const Scene scene = syntheticScene(true, false, 3);

@@ -67,7 +67,7 @@ Frame syntheticFrame(const Scene& scene, int index) {
     if (scene.effects.find<HeatSettings>()) frame.temperature.push_back(draw(250.0, 900.0));
     frame.species.push_back(i % 3 == 0);
     frame.id.push_back(isFed ? index / 2 + 2 * i : i);
-    if (!isFed) continue;
+    if (!isFed || !isMixed(scene)) continue;
     frame.kind.push_back(i % 2 == 0);
     frame.radius.push_back(draw(1e-3, 2e-3));
   }
@@ -97,9 +97,8 @@ bool sameBits(const Frame& a, const Frame& b) {
          sameBytes(a.position, b.position) && sameBytes(a.velocity, b.velocity) &&
          sameBytes(a.angularVelocity, b.angularVelocity) && sameBytes(a.temperature, b.temperature) &&
          sameBytes(a.gas.temperature, b.gas.temperature) && a.species == b.species && a.id == b.id &&
-         sameBytes(a.radius, b.radius) && a.kind == b.kind &&
-         sameBytes(a.gas.voidage, b.gas.voidage) && sameBytes(a.gas.pressure, b.gas.pressure) &&
-         sameBytes(a.gas.velocity, b.gas.velocity);
+         sameBytes(a.radius, b.radius) && a.kind == b.kind && sameBytes(a.gas.voidage, b.gas.voidage) &&
+         sameBytes(a.gas.pressure, b.gas.pressure) && sameBytes(a.gas.velocity, b.gas.velocity);
 }
 
 TemporaryFolder::TemporaryFolder() {
