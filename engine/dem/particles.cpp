@@ -94,6 +94,8 @@ Particles inOrderOfIds(const Particles& particles) {
   sort(particles.foreseen, sorted.foreseen);
   sort(particles.radii, sorted.radii);
   sort(particles.masses, sorted.masses);
+  sort(particles.inert, sorted.inert);
+  sort(particles.gyration, sorted.gyration);
   sort(particles.kinds, sorted.kinds);
   return sorted;
 }

@@ -21,6 +21,9 @@ struct Particles {
   std::vector<double> radii;   // m
   std::vector<double> masses;  // kg
   std::vector<std::uint8_t> kinds;
+  /// With virtual mass, else empty: all that forces accelerate, kg, and the radius, m, of a sphere that has so
+  /// much and turns as the particle does. Whoever has set them sets them again when the particles are loaded.
+  std::vector<double> inert, gyration;
   std::vector<std::int32_t> id;
   std::vector<Vec2> position;  // m
   std::vector<Vec2> velocity;  // m/s
@@ -37,6 +40,11 @@ struct Particles {
   bool areMixed() const { return !radii.empty(); }
   double radiusOf(std::size_t i) const { return areMixed() ? radii[i] : radius; }
   double massOf(std::size_t i) const { return areMixed() ? masses[i] : mass; }
+  /// Masses that forces accelerate; null where all are `mass`.
+  const double* inertial() const {
+    const std::vector<double>& own = inert.empty() ? masses : inert;
+    return own.empty() ? nullptr : own.data();
+  }
   double inertiaOf(std::size_t i) const {
     return areMixed() ? 0.4 * masses[i] * radii[i] * radii[i] : inertia;
   }

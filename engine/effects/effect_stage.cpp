@@ -2,6 +2,8 @@
 #include "engine/effects/effect_stage.h"
 
 #include "engine/effects/heat_stage.h"
+#include "engine/effects/lift_stage.h"
+#include "engine/effects/virtual_mass_stage.h"
 
 #include <array>
 
@@ -12,8 +14,10 @@ namespace {
 using Make = std::unique_ptr<EffectStage> (*)(const EffectContext&);
 
 /// Each makes its stage, or none where the scene does not have its table.
-constexpr std::array<Make, 1> makers{
+constexpr std::array<Make, 3> makers{
     HeatStage::make,
+    LiftStage::make,
+    VirtualMassStage::make,
 };
 
 }  // namespace

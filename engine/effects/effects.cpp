@@ -61,6 +61,21 @@ std::string cohesionNote(const Scene& scene) {
 bool hasHeat(const Scene& scene) { return scene.effects.find<HeatSettings>() != nullptr; }
 std::string heatNoteOf(const Scene& scene) { return hasHeat(scene) ? heatNote(scene) : "no table [heat]"; }
 
+bool hasLift(const Scene& scene) { return scene.effects.find<LiftSettings>() != nullptr; }
+std::string liftNote(const Scene& scene) {
+  const LiftSettings* lift = scene.effects.find<LiftSettings>();
+  if (!lift) return "no table [lift]";
+  return fmt::format("by shear: {}, by spin: {}", modelName(lift->shear), modelName(lift->spin));
+}
+
+bool hasVirtualMass(const Scene& scene) { return scene.effects.find<VirtualMassSettings>() != nullptr; }
+std::string virtualMassNote(const Scene& scene) {
+  const VirtualMassSettings* settings = scene.effects.find<VirtualMassSettings>();
+  if (!settings) return "no table [virtual_mass]";
+  return fmt::format("{:g} of the gas displaced, crowding {}", settings->coefficient,
+                     modelName(settings->crowding));
+}
+
 bool hasObstacles(const Scene& scene) { return !scene.obstacles.empty(); }
 std::string obstaclesNote(const Scene& scene) {
   if (scene.obstacles.empty()) return "no tables [[obstacles]]";
@@ -93,6 +108,8 @@ constexpr std::array table{
     EffectInfo{"contacts.rolling", "rolling resistance", hasRolling, rollingNote},
     EffectInfo{"cohesion", "cohesion", hasCohesion, cohesionNote},
     EffectInfo{"heat", "heat", hasHeat, heatNoteOf},
+    EffectInfo{"lift", "lift", hasLift, liftNote},
+    EffectInfo{"virtual_mass", "virtual mass", hasVirtualMass, virtualMassNote},
 };
 
 }  // namespace

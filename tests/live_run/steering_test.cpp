@@ -43,6 +43,8 @@ std::vector<Override> turningOn(const std::string& key) {
   if (key.starts_with("cohesion.liquid_bridge"))
     return {{"cohesion", "{liquid_bridge = {surface_tension = 0.01}}"}};
   if (key.starts_with("heat")) return {{"heat", "{heat_capacity = 840.0, conductivity = 1.0, gas = {}}"}};
+  if (key.starts_with("lift")) return {{"lift", "{}"}};
+  if (key.starts_with("virtual_mass")) return {{"virtual_mass", "{}"}};
   if (key.starts_with("gas.inlets.pulse")) {
     const char* shape = key.ends_with("duty") ? "square" : "sine";
     return {
@@ -89,6 +91,10 @@ const std::map<std::string, std::vector<Override>> otherValues{
     {"heat.gas.conductivity", {{"heat.gas.conductivity", "0.05"}}},
     {"heat.gas.temperature", {{"heat.gas.temperature", "400.0"}}},
     {"heat.gas.inlet_temperature", {{"heat.gas.inlet_temperature", "400.0"}}},
+    {"lift.shear", {{"lift.shear", "saffman"}}},
+    {"lift.spin", {{"lift.spin", "rubinow-keller"}}},
+    {"virtual_mass.coefficient", {{"virtual_mass.coefficient", "0.6"}}},
+    {"virtual_mass.crowding", {{"virtual_mass.crowding", "none"}}},
     {"gas.inlets.pulse.shape", {{"gas.inlets.0.pulse.shape", "square"}}},
     {"gas.inlets.pulse.frequency", {{"gas.inlets.0.pulse.frequency", "10.0"}}},
     {"gas.inlets.pulse.amplitude", {{"gas.inlets.0.pulse.amplitude", "0.2"}}},

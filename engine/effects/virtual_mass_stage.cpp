@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: MIT
+#include "engine/effects/virtual_mass_stage.h"
+
+#include "engine/dem/particle_solver.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace bedmix {
+
+std::unique_ptr<EffectStage> VirtualMassStage::make(const EffectContext& context) {
+  if (!context.scene.effects.find<VirtualMassSettings>()) return nullptr;
+  return std::make_unique<VirtualMassStage>(context);
+}
+
+VirtualMassStage::VirtualMassStage(const EffectContext& context)
+    : context_(context),
+      settings_(*context.scene.effects.find<VirtualMassSettings>()),
+      faces_(context),
+      added_(context.solver.particles().size()),
+      start_(added_.size()),
+      flow_(added_.size()),
+      carried_(added_.size()) {
+  Particles& particles = context_.solver.particles();
+  particles.inert.resize(added_.size());
+  particles.gyration.resize(added_.size());
+  setInertia();
+}
+
+/// Of what the particles accelerate with the virtual mass they have; they turn as without.
+void VirtualMassStage::setInertia() {
+  Particles& particles = context_.solver.particles();
+  for (std::size_t i = 0; i < added_.size(); ++i) {
+    const double mass = particles.massOf(i);
+    particles.inert[i] = mass + added_[particles.id[i]];
+    particles.gyration[i] = particles.radiusOf(i) * std::sqrt(mass / particles.inert[i]);
+  }
+}
+
+void VirtualMassStage::chargeGas(double step, MomentumExchange& exchange) {
+  const Particles& particles = context_.solver.particles();
+  const double density = context_.scene.gas->density;
+  faces_.charge(exchange, [&](const ExchangeBatch& batch, const FlowThere* flow, FaceCharge::Given* given) {
+    for (std::size_t i = 0; i < batch.size; ++i) {
+      const std::size_t p = batch.begin + i, id = particles.id[p];
+      const Vec2 due = added_[id] * (particles.velocity[p] - start_[id]);
+      const Vec2 u = flow[i].velocity;
+      flow_[p] = u;
+      carried_[p] = u.x * flow[i].perX + u.y * flow[i].perY;
+      added_[id] = settings_.coefficientAt(batch.voidage[i]) * density * batch.shares.coupledVolume[i];
+      start_[id] = particles.velocity[p];
+      given[i] = {added_[id] / step, 1.0 / step * due - added_[id] * carried_[p]};
+    }
+  });
+}
+
+void VirtualMassStage::act(double, double step) {
+  Particles& particles = context_.solver.particles();
+  faces_.visit([&](const ExchangeBatch& batch, const FlowThere* flow) {
+    for (std::size_t i = 0; i < batch.size; ++i) {
+      const std::size_t p = batch.begin + i;
+      const Vec2 gain = 1.0 / step * (flow[i].velocity - flow_[p]) + carried_[p];
+      // It has no weight.
+      particles.external[p] += added_[particles.id[p]] * (gain + Vec2{0.0, context_.scene.gravity});
+    }
+  });
+  setInertia();
+}
+
+void VirtualMassStage::hashInto(StateHash& hash) const {
+  hash.add(added_);
+  for (const Vec2 v : start_) {
+    hash.add(v.x);
+    hash.add(v.y);
+  }
+}
+
+void VirtualMassStage::save(StateWriter& out) const {
+  out.putAll(added_);
+  out.putAll(start_);
+}
+
+bool VirtualMassStage::load(StateReader& in) {
+  if (!(in.getAll(added_) && in.getAll(start_))) return false;
+  if (!std::all_of(added_.begin(), added_.end(), [](double m) { return m >= 0.0; })) return false;
+  setInertia();
+  return true;
+}
+
+}  // namespace bedmix

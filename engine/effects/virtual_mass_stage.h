@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "engine/effects/face_charge.h"
+
+#include <memory>
+#include <vector>
+
+namespace bedmix {
+
+/// Virtual mass m_a = C rho V of particles in the gas, Auton, Hunt & Prud'homme (1988), J. Fluid Mech.
+/// 197:241:
+///   F = m_a (du/dt + (u grad) u - dv/dt)
+/// with the gas's own derivative. Particles have it as a part of their inertia (but not of their weight, nor
+/// where they turn), so that none is too light; m_a stays what it is over a gas step. The gas gets the
+/// opposite: of du/dt in the same step, with the same weights and implicitly, so that it is heavier by m_a;
+/// of m_a dv/dt over a step what it has come to, in the next one. What one phase gives is what the other
+/// gets, to round-off, and the lag multiplies errors by
+///   m_a^2 / ((m + m_a)(m_gas + m_a)) < 1.
+class VirtualMassStage final : public EffectStage {
+ public:
+  /// None where the scene has no virtual mass.
+  static std::unique_ptr<EffectStage> make(const EffectContext& context);
+  explicit VirtualMassStage(const EffectContext& context);
+
+  void chargeGas(double step, MomentumExchange& exchange) override;
+  void act(double passed, double step) override;
+  void hashInto(StateHash& hash) const override;
+  void save(StateWriter& out) const override;
+  [[nodiscard]] bool load(StateReader& in) override;
+
+ private:
+  void setInertia();
+
+  const EffectContext context_;
+  VirtualMassSettings settings_;
+  FaceCharge faces_;
+  // By id: virtual mass, kg, and velocity, m/s, at the last charge.
+  std::vector<double> added_;
+  std::vector<Vec2> start_;
+  // Per particle in memory, at the last charge: velocity of the gas, m/s, and (u grad) u, m/s2.
+  std::vector<Vec2> flow_, carried_;
+};
+
+}  // namespace bedmix
