@@ -52,8 +52,7 @@ TEST(Lift, IsSaffmansWhereReynoldsNumbersAreSmall) {
   EXPECT_TRUE(std::isfinite(effect(law, 0.0, shear, 0.0, d).lift));
 }
 
-/// The points where Mei (1992) gives his fit of Dandy & Dwyer's (1990) simulations: f = F/F_Saffman over Re
-/// and alpha = G d/(2 U).
+/// Mei's (1992) fit of Dandy & Dwyer's (1990) simulations, F/F_Saffman over Re and b = G d/(2 U), worked out.
 TEST(Lift, LosesWithTheReynoldsNumberWhatMeiSays) {
   const LiftLaw law = lawOf(byShear);
   const double nu = 1e-6, d = 0.002;
@@ -67,7 +66,7 @@ TEST(Lift, LosesWithTheReynoldsNumberWhatMeiSays) {
   EXPECT_NEAR(ratio(10.0, 0.4), 0.5004, 1e-4);
   EXPECT_NEAR(ratio(40.0, 0.1), 0.1212, 1e-4);
   EXPECT_NEAR(ratio(100.0, 0.1), 0.1657, 1e-4);
-  EXPECT_NEAR(ratio(40.0001, 0.1) / ratio(40.0, 0.1), 0.0524 * std::sqrt(40.0) / 0.3314, 0.15);
+  EXPECT_NEAR(ratio(40.0001, 0.1), 0.1048, 1e-4);
 }
 
 TEST(Lift, IsRubinowAndKellersBySpin) {
@@ -193,7 +192,8 @@ TEST(Lift, SpinningSphereTurnsByAnEightiethOfItsSpinsReynoldsNumber) {
     EXPECT_FALSE(simulation.advance(stepsPerGasStep(scene) * std::llround(0.1 / step)));
     const FramePtr frame = simulation.frame();
     const double k = 60.0 * 1e-3 / (2500.0 * 1e-6);  // 1/s
-    EXPECT_NEAR(static_cast<double>(frame->angularVelocity[0]) / (spin * std::exp(-k * 0.1)), 1.0, 0.6 * k * 0.1 * k * step);
+    EXPECT_NEAR(static_cast<double>(frame->angularVelocity[0]) / (spin * std::exp(-k * 0.1)), 1.0,
+                0.6 * k * 0.1 * k * step);
     const Vec2f v = frame->velocity[0];
     return std::atan2(static_cast<double>(v.y), static_cast<double>(v.x)) / (1.0 - std::exp(-k * 0.1));
   };

@@ -57,6 +57,7 @@ TEST(VirtualMass, ABodyComesToStokesVelocityAsLateAsItShould) {
     return velocityAfter(scene, time) / (end * (1.0 - std::exp(-time / tau))) - 1.0;
   };
   EXPECT_NEAR(errorOf(1e-5), 0.0, 0.01);
+  EXPECT_NEAR((errorOf(2e-5) - errorOf(1e-5)) / (errorOf(1e-5) - errorOf(5e-6)), 2.0, 0.1);
   scene.effects.at<VirtualMassSettings>().reset();
   EXPECT_GT(errorOf(1e-5), 0.05);  // it is too early without
 }
@@ -231,6 +232,18 @@ TEST(VirtualMass, NeedsGas) {
   EXPECT_TRUE(contradictions(scene).empty());
   scene.gas.reset();
   EXPECT_EQ(contradictions(scene).at(0).path, "virtual_mass");
+}
+
+TEST(VirtualMass, LetsParticlesBeLighterThanTheGas) {
+  Scene scene = lowScene(20, 0.1);
+  scene.gas->density = 1000.0;
+  scene.gas->viscosity = 1e-3;
+  scene.particles.density = 600.0;
+  EXPECT_NE(contradictions(scene).at(0).message.find("or [virtual_mass]"), std::string::npos);
+  scene.effects.at<VirtualMassSettings>().emplace();
+  EXPECT_TRUE(contradictions(scene).empty());
+  scene.effects.at<VirtualMassSettings>()->coefficient = 0.02;
+  EXPECT_NE(contradictions(scene).at(0).message.find("a larger coefficient"), std::string::npos);
 }
 
 }  // namespace
