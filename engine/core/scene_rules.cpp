@@ -191,7 +191,7 @@ class Rules {
   }
 
   // See longestGasStep(). Stopping the gas takes a pressure, too, that changes the particles' own velocity by
-  // (1-e)/e v times the densities' ratio, virtual mass included; that may not be more than twice v either.
+  // (1-e)/e v times the densities' ratio; that may not be more than twice v either.
   void exchange(const GasSettings& gas) {
     const ParticleSettings& p = scene_.particles;
     if (p.count == 0) return;
@@ -203,18 +203,17 @@ class Rules {
               "{:.3g} s: "
               "gas and particles would overshoot each other more with every step. Take at most {:.3g} s",
               static_cast<double>(gas.step), relaxation, longest));
+    if (scene_.effects.find<VirtualMassSettings>()) return;  // which sees to that itself
     const double lightest = gas.density * (1.0 - packedVoidage) / (2.0 * packedVoidage);
     const std::vector<ParticleKind> kinds = particleKinds(scene_);
-    const std::string cure = scene_.effects.find<VirtualMassSettings>()
-                                 ? "Give virtual_mass.crowding = \"zuber\" or a larger coefficient"
-                                 : fmt::format("Give at least {:.4g} kg/m3, or [virtual_mass]", lightest);
     for (std::size_t k = 0; k < kinds.size(); ++k)
-      if (packedInertia(scene_, kinds[k].density) < lightest * (1.0 - rounding))
+      if (kinds[k].density < lightest * (1.0 - rounding))
         add(k == 0 ? "particles.density" : fmt::format("particles.species.{}.density", k - 1),
             {"gas.density"},
-            fmt::format("particles of {} kg/m3 are too light for a gas of {} kg/m3: gas and particles would "
-                        "overshoot each other more with every step. {}",
-                        kinds[k].density, gas.density, cure));
+            fmt::format(
+                "particles of {} kg/m3 are too light for a gas of {} kg/m3: gas and particles would "
+                "overshoot each other more with every step. Give at least {:.4g} kg/m3, or [virtual_mass]",
+                kinds[k].density, gas.density, lightest));
   }
 
   void spansFill(const std::string& path, const std::vector<GridSpan>& spans, const std::string& ofPath,

@@ -16,8 +16,8 @@ using Make = std::unique_ptr<EffectStage> (*)(const EffectContext&);
 /// Each makes its stage, or none where the scene does not have its table.
 constexpr std::array<Make, 3> makers{
     HeatStage::make,
+    VirtualMassStage::make,  // before any other that adds to the particles' forces
     LiftStage::make,
-    VirtualMassStage::make,
 };
 
 }  // namespace

@@ -19,8 +19,10 @@ VirtualMassStage::VirtualMassStage(const EffectContext& context)
       faces_(context),
       added_(context.solver.particles().size()),
       start_(added_.size()),
+      force_(added_.size()),
       flow_(added_.size()),
-      carried_(added_.size()) {
+      carried_(added_.size()),
+      atOnce_(added_.size()) {
   Particles& particles = context_.solver.particles();
   particles.inert.resize(added_.size());
   particles.gyration.resize(added_.size());
@@ -38,6 +40,7 @@ void VirtualMassStage::setInertia() {
 }
 
 void VirtualMassStage::chargeGas(double step, MomentumExchange& exchange) {
+  constexpr double least = 1e-300;  // kg, to divide by
   const Particles& particles = context_.solver.particles();
   const double density = context_.scene.gas->density;
   faces_.charge(exchange, [&](const ExchangeBatch& batch, const FlowThere* flow, FaceCharge::Given* given) {
@@ -47,8 +50,12 @@ void VirtualMassStage::chargeGas(double step, MomentumExchange& exchange) {
       const Vec2 u = flow[i].velocity;
       flow_[p] = u;
       carried_[p] = u.x * flow[i].perX + u.y * flow[i].perY;
-      added_[id] = settings_.coefficientAt(batch.voidage[i]) * density * batch.shares.coupledVolume[i];
+      const double voidage = batch.voidage[i], displaced = density * batch.shares.coupledVolume[i];
+      added_[id] = settings_.coefficientAt(voidage) * displaced;
       start_[id] = particles.velocity[p];
+      const double heldBack =
+          added_[id] * (1.0 / (voidage * voidage) - 1.0) + displaced * (1.0 - voidage) / voidage;
+      atOnce_[p] = std::min(1.0, (particles.massOf(p) + added_[id]) / std::max(heldBack, least));
       given[i] = {added_[id] / step, 1.0 / step * due - added_[id] * carried_[p]};
     }
   });
@@ -59,9 +66,13 @@ void VirtualMassStage::act(double, double step) {
   faces_.visit([&](const ExchangeBatch& batch, const FlowThere* flow) {
     for (std::size_t i = 0; i < batch.size; ++i) {
       const std::size_t p = batch.begin + i;
-      const Vec2 gain = 1.0 / step * (flow[i].velocity - flow_[p]) + carried_[p];
-      // It has no weight.
-      particles.external[p] += added_[particles.id[p]] * (gain + Vec2{0.0, context_.scene.gravity});
+      const Vec2 u = flow[i].velocity, gain = 1.0 / step * (u - flow_[p]) + carried_[p];
+      const Vec2 dragging = particles.drag[p] * u;
+      const double added = added_[particles.id[p]];
+      Vec2& force = force_[particles.id[p]];
+      force += atOnce_[p] * (particles.external[p] - dragging + added * gain - force);
+      // The virtual mass has no weight.
+      particles.external[p] = dragging + force + Vec2{0.0, added * context_.scene.gravity};
     }
   });
   setInertia();
@@ -69,19 +80,21 @@ void VirtualMassStage::act(double, double step) {
 
 void VirtualMassStage::hashInto(StateHash& hash) const {
   hash.add(added_);
-  for (const Vec2 v : start_) {
-    hash.add(v.x);
-    hash.add(v.y);
-  }
+  for (const auto* column : {&start_, &force_})
+    for (const Vec2 v : *column) {
+      hash.add(v.x);
+      hash.add(v.y);
+    }
 }
 
 void VirtualMassStage::save(StateWriter& out) const {
   out.putAll(added_);
   out.putAll(start_);
+  out.putAll(force_);
 }
 
 bool VirtualMassStage::load(StateReader& in) {
-  if (!(in.getAll(added_) && in.getAll(start_))) return false;
+  if (!(in.getAll(added_) && in.getAll(start_) && in.getAll(force_))) return false;
   if (!std::all_of(added_.begin(), added_.end(), [](double m) { return m >= 0.0; })) return false;
   setInertia();
   return true;

@@ -58,7 +58,7 @@ TEST(Absence, KeepsNothingOfEffectsThatAreOff) {
   EXPECT_EQ(perParticle(gas), plain + 16.0 + 8.0 + 16.0);  // force, drag, where it was foreseen
   EXPECT_EQ(perParticle([](Scene& s) { s.effects.at<HeatSettings>().emplace().heatCapacity = 840.0; }),
             plain + 8.0);  // temperature
-  // Lift is made anew of what there is; virtual mass remembers itself and a velocity.
+  // Lift is made anew of what there is; virtual mass remembers itself, a velocity and a force.
   EXPECT_EQ(perParticle([&](Scene& s) {
               gas(s);
               s.effects.at<LiftSettings>() = {ShearLift::mei, SpinLift::none};
@@ -68,7 +68,7 @@ TEST(Absence, KeepsNothingOfEffectsThatAreOff) {
               gas(s);
               s.effects.at<VirtualMassSettings>().emplace();
             }),
-            perParticle(gas) + 8.0 + 16.0);
+            perParticle(gas) + 8.0 + 16.0 + 16.0);
   // Contacts that differ have no state of their own.
   EXPECT_EQ(perParticle([](Scene& s) {
               s.contacts.hertz.emplace();

@@ -153,10 +153,12 @@ TEST(VirtualMass, IsLargerInDenseBeds) {
   EXPECT_NEAR(added(zuber) / added(alone), (1.0 + 2.0 * a) / (1.0 - a), 1e-3);
 }
 
-/// Beads that weigh a hundredth of the liquid, dense: whatever the steps, they rise calmly.
+/// Beads that weigh a hundredth of the liquid rise calmly and lie densely under the lid, whatever the steps.
 TEST(VirtualMass, LightBedsAreStable) {
-  Scene scene = lowScene(150, 0.0);
+  Scene scene = lowScene(250, 0.0);
+  scene.bed.top = BedTop::lid;
   scene.particles.density = 10.0;
+  scene.contacts.stiffness = 500.0;
   scene.gas->density = 1000.0;
   scene.gas->viscosity = 1e-3;
   scene.gas->step = 5e-4;
@@ -164,8 +166,16 @@ TEST(VirtualMass, LightBedsAreStable) {
   scene.limits.maxOverlap = 0.2;
   scene.effects.at<VirtualMassSettings>().emplace();
   Simulation calm = simulate(scene);
-  EXPECT_EQ(calm.advance(std::llround(0.05 / tick(scene))), std::nullopt);
+  EXPECT_EQ(calm.advance(std::llround(1.5 / tick(scene))), std::nullopt);
   EXPECT_LT(calm.report().largestSpeed, 0.6);
+  const FramePtr frame = calm.frame();
+  double low = scene.bed.height, fastest = 0.0;
+  for (std::size_t i = 0; i < frame->size(); ++i) {
+    low = std::min(low, static_cast<double>(frame->position[i].y));
+    fastest = std::max(fastest, static_cast<double>(norm(frame->velocity[i])));
+  }
+  EXPECT_GT(low, 0.025);  // 19 rows
+  EXPECT_LT(fastest, 0.05);
   scene.effects.at<VirtualMassSettings>().reset();
   Simulation wild = simulate(scene);
   EXPECT_TRUE(wild.advance(std::llround(0.05 / tick(scene))) || wild.report().largestSpeed > 5.0);
@@ -242,8 +252,6 @@ TEST(VirtualMass, LetsParticlesBeLighterThanTheGas) {
   EXPECT_NE(contradictions(scene).at(0).message.find("or [virtual_mass]"), std::string::npos);
   scene.effects.at<VirtualMassSettings>().emplace();
   EXPECT_TRUE(contradictions(scene).empty());
-  scene.effects.at<VirtualMassSettings>()->coefficient = 0.02;
-  EXPECT_NE(contradictions(scene).at(0).message.find("a larger coefficient"), std::string::npos);
 }
 
 }  // namespace
