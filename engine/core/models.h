@@ -52,6 +52,12 @@ enum class SizeDistribution { normal, lognormal, uniform };
 /// How what enters by an inlet goes up and down.
 enum class PulseShape { sine, square };
 
+/// Force of the gas's shear on particles, and of their spin.
+enum class ShearLift { mei, saffman, none };
+enum class SpinLift { lunLiu, rubinowKeller, none };
+/// What others around a particle do to its virtual mass.
+enum class Crowding { zuber, none };
+
 /// How much a run may err and cost; see presets.h for what each stands for.
 enum class Accuracy { draft, standard, paper, reference };
 
@@ -174,6 +180,32 @@ inline constexpr std::array modelTable<PulseShape>{
         "square",
         "1 - amplitude, and for the first duty of each period 1 + amplitude (1 - duty)/duty: the mean is 1",
         ""},
+};
+template <>
+inline constexpr std::array modelTable<ShearLift>{
+    ModelInfo{"mei",
+              "1.615 d^2 sqrt(rho mu/|o|) f (w x o), w = u-v, o = rot u, b = d |o|/(2 |w|); f = (1 - 0.3314 "
+              "sqrt(b)) exp(-Re/10) + 0.3314 sqrt(b), above Re 40 0.0524 sqrt(b Re)",
+              "Mei (1992), Int. J. Multiphase Flow 18:145"},
+    ModelInfo{"saffman", "the same with f = 1",
+              "Saffman (1965), J. Fluid Mech. 22:385, corrected (1968) 31:624"},
+    ModelInfo{"none", "no force", ""},
+};
+template <>
+inline constexpr std::array modelTable<SpinLift>{
+    ModelInfo{
+        "lun-liu",
+        "-pi/8 d^3 rho g (s x w), s = spin - o/2, g = 1, above Re 1 0.178 + 0.822 Re^-0.522; torque -pi "
+        "mu d^3 h s, h = 1, above Re_s = rho d^2 |s|/mu = 32 (12.9 sqrt(Re_s) + 128.4)/(64 pi)",
+        "Lun & Liu (1997), Int. J. Multiphase Flow 23:575; Dennis, Singh & Ingham (1980), J. Fluid Mech. "
+        "101:257"},
+    ModelInfo{"rubinow-keller", "the same with g = h = 1", "Rubinow & Keller (1961), J. Fluid Mech. 11:447"},
+    ModelInfo{"none", "neither force nor torque", ""},
+};
+template <>
+inline constexpr std::array modelTable<Crowding>{
+    ModelInfo{"zuber", "C (3 - 2 eps)/eps", "Zuber (1964), Chem. Eng. Sci. 19:897"},
+    ModelInfo{"none", "C everywhere", "Auton, Hunt & Prud'homme (1988), J. Fluid Mech. 197:241"},
 };
 template <>
 inline constexpr std::array modelTable<Accuracy>{

@@ -114,11 +114,16 @@ double packedDragOverErgun(DragLaw law) {
   }
 }
 
+double packedInertia(const Scene& scene, double density) {
+  const VirtualMassSettings* settings = scene.effects.find<VirtualMassSettings>();
+  return settings ? density + settings->coefficientAt(packedVoidage) * scene.gas->density : density;
+}
+
 double packedRelaxation(const Scene& scene) {
   double least = infinity;  // density times diameter squared
   for (const ParticleKind& kind : particleKinds(scene)) {
     const double d = smallestDiameter(kind);
-    least = std::min(least, packedVoidage * kind.density * d * d);
+    least = std::min(least, packedVoidage * packedInertia(scene, kind.density) * d * d);
   }
   return least / (150.0 * (1.0 - packedVoidage) * scene.gas->viscosity) /
          packedDragOverErgun(scene.gas->drag);

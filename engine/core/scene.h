@@ -254,6 +254,9 @@ double longestStep(const Scene& scene);
 inline constexpr double packedVoidage = 0.4;
 /// How much stronger than Ergun's viscous part a law's drag is there without slip; 1 where it is not.
 double packedDragOverErgun(DragLaw law);
+/// What a particle of a packed bed has of inertia over its volume, kg/m3: its own density, with virtual mass
+/// that of the gas that it takes along besides.
+double packedInertia(const Scene& scene, double density);
 /// Time, s, within which the particles of a packed bed follow the gas without slip.
 double packedRelaxation(const Scene& scene);
 /// The longest gas step, s, that holds. Together gas and particles keep their volume: particles of a packed

@@ -203,15 +203,17 @@ class Rules {
               "{:.3g} s: "
               "gas and particles would overshoot each other more with every step. Take at most {:.3g} s",
               static_cast<double>(gas.step), relaxation, longest));
+    if (scene_.effects.find<VirtualMassSettings>()) return;  // which sees to that itself
     const double lightest = gas.density * (1.0 - packedVoidage) / (2.0 * packedVoidage);
     const std::vector<ParticleKind> kinds = particleKinds(scene_);
     for (std::size_t k = 0; k < kinds.size(); ++k)
       if (kinds[k].density < lightest * (1.0 - rounding))
         add(k == 0 ? "particles.density" : fmt::format("particles.species.{}.density", k - 1),
             {"gas.density"},
-            fmt::format("particles of {} kg/m3 are too light for a gas of {} kg/m3: gas and particles would "
-                        "overshoot each other more with every step. Give at least {:.4g} kg/m3",
-                        kinds[k].density, gas.density, lightest));
+            fmt::format(
+                "particles of {} kg/m3 are too light for a gas of {} kg/m3: gas and particles would "
+                "overshoot each other more with every step. Give at least {:.4g} kg/m3, or [virtual_mass]",
+                kinds[k].density, gas.density, lightest));
   }
 
   void spansFill(const std::string& path, const std::vector<GridSpan>& spans, const std::string& ofPath,

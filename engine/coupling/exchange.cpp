@@ -113,12 +113,13 @@ void Exchange::evaluateDrag(Particles& particles, MomentumExchange& exchange) {
       });
     }
     team_.barrier();
-    addToFaces(grid_.columnsOf(team_, member), exchange);
+    addToFaces(sums_, grid_.columnsOf(team_, member), exchange);
   });
 }
 
-void Exchange::addToFaces(Range columns, MomentumExchange& exchange) const {
-  for (const BlockSum<FaceSums>& sum : sums_)
+void Exchange::addToFaces(const std::vector<BlockSum<FaceSums>>& sums, Range columns,
+                          MomentumExchange& exchange) const {
+  for (const BlockSum<FaceSums>& sum : sums)
     sum.forPoints(grid_, columns, [&](std::size_t k, const FaceSums& s) {
       exchange.coefficient[uprightFace_[k]] += s.uprightCoefficient;
       exchange.source[uprightFace_[k]] += s.uprightSource;

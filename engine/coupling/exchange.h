@@ -36,6 +36,9 @@ class Exchange {
   void applyForces(Particles& particles);
   /// The loops over the particles, with the gas velocity that one of these two has seen last.
   ExchangeKernel kernel(Particles& particles) const;
+  /// Adds blocks' sums to the gas's exchange, in their order, at the points in a part of the grid's columns.
+  void addToFaces(const std::vector<BlockSum<FaceSums>>& sums, Range columns,
+                  MomentumExchange& exchange) const;
 
  private:
   /// Weights of the two faces of a cell in its pressure gradient along one axis: their mean; at a boundary
@@ -47,7 +50,6 @@ class Exchange {
   void copyVelocity(Range points);
   void copyPressure(Range rows);
   void findGradient(Range columns);
-  void addToFaces(Range columns, MomentumExchange& exchange) const;
 
   const GasSolver& gas_;
   const VoidageField& voidage_;

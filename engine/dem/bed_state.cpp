@@ -55,6 +55,8 @@ bool BedState::sort() {
   std::vector<Vec2> none;
   permute(order, none, p.radii, loads);
   permute(order, none, p.masses, loads);
+  permute(order, none, p.inert, loads);
+  permute(order, none, p.gyration, loads);
   permute(order, none, p.kinds, loads);
   for (std::size_t k = 0; k < bodies.size(); ++k) {
     const Body& b = bodies[order[k]];

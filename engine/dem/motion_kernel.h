@@ -16,7 +16,7 @@ struct MotionKernel {
   double perMass = 0.0;            // 1/kg, of all
   double perInertia = 0.0;         // 1/(kg m2)
   const double* masses = nullptr;  // kg, where they are not alike; else null
-  const double* radii = nullptr;   // m, likewise
+  const double* radii = nullptr;   // m, likewise: of spheres of these masses that turn as the particles do
   Body* body = nullptr;            // drifts; its velocity is predicted to the end of the step
   Vec2* position = nullptr;        // of the body, after a last kick
   Vec2* velocity = nullptr;

@@ -61,7 +61,8 @@ class ParticleSolver {
   /// Who is there.
   const Roster& roster() const { return roster_; }
 
-  /// External forces may be changed between calls of advance(), everything else only before the first. The
+  /// External forces, spins and the inertia of virtual mass may be changed between calls of advance(),
+  /// everything else only before the first. The
   /// order in memory changes from call to call.
   Particles& particles() { return bed_.particles; }
   const Particles& particles() const { return bed_.particles; }

@@ -48,11 +48,17 @@ bool Particles::load(StateReader& in) {
   return true;
 }
 
+void Particles::addInertia() {
+  columns.inertia = true;
+  inert.resize(size(), mass);
+  gyration.resize(size(), radius);
+}
+
 void Particles::exchange(const std::vector<std::int32_t>& places,
                          const std::vector<PopulationChange::Newcomer>& come) {
   const auto keep = [&](auto& column) { keepPlaces(column, places); };
   keep(id), keep(position), keep(velocity), keep(spin), keep(external), keep(drag), keep(foreseen);
-  keep(radii), keep(masses), keep(kinds);
+  keep(radii), keep(masses), keep(kinds), keep(inert), keep(gyration);
   for (const PopulationChange::Newcomer& newcomer : come) {
     id.push_back(newcomer.id);
     position.push_back(newcomer.position);
@@ -62,6 +68,10 @@ void Particles::exchange(const std::vector<std::int32_t>& places,
       external.push_back({});
       drag.push_back(0.0);
       foreseen.push_back(newcomer.position);
+    }
+    if (columns.inertia) {
+      inert.push_back(newcomer.mass);
+      gyration.push_back(newcomer.radius);
     }
     if (columns.sizes) {
       radii.push_back(newcomer.radius);
@@ -100,7 +110,7 @@ Particles makeParticles(const Scene& scene, const std::vector<Vec2>& positions) 
   std::iota(p.id.begin(), p.id.end(), 0);
   p.position = positions;
   p.velocity.resize(n);
-  p.columns = {.spin = scene.contacts.friction.has_value(), .sizes = isMixed(scene), .external = false};
+  p.columns = {.spin = scene.contacts.friction.has_value(), .sizes = isMixed(scene)};
   if (p.columns.spin) p.spin.assign(n, 0.0);
   if (p.columns.sizes) addSizes(scene, p);
   return p;
@@ -121,6 +131,8 @@ Particles inOrderOfIds(const Particles& particles) {
   sort(particles.foreseen, sorted.foreseen);
   sort(particles.radii, sorted.radii);
   sort(particles.masses, sorted.masses);
+  sort(particles.inert, sorted.inert);
+  sort(particles.gyration, sorted.gyration);
   sort(particles.kinds, sorted.kinds);
   return sorted;
 }

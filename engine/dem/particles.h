@@ -22,6 +22,9 @@ struct Particles {
   std::vector<double> radii;   // m
   std::vector<double> masses;  // kg
   std::vector<std::uint8_t> kinds;
+  /// With virtual mass, else empty: all that forces accelerate, kg, and the radius, m, of a sphere that has so
+  /// much and turns as the particle does. Whoever has set them sets them again when the particles are loaded.
+  std::vector<double> inert, gyration;
   std::vector<std::int32_t> id;
   std::vector<Vec2> position;  // m
   std::vector<Vec2> velocity;  // m/s
@@ -36,7 +39,7 @@ struct Particles {
 
   /// Which columns there are, also of no particles.
   struct Columns {
-    bool spin = false, sizes = false, external = false;
+    bool spin = false, sizes = false, external = false, inertia = false;
   };
   Columns columns;
 
@@ -44,11 +47,18 @@ struct Particles {
   bool areMixed() const { return !radii.empty(); }
   double radiusOf(std::size_t i) const { return areMixed() ? radii[i] : radius; }
   double massOf(std::size_t i) const { return areMixed() ? masses[i] : mass; }
+  /// Masses that forces accelerate; null where all are `mass`.
+  const double* inertial() const {
+    const std::vector<double>& own = inert.empty() ? masses : inert;
+    return own.empty() ? nullptr : own.data();
+  }
   double inertiaOf(std::size_t i) const {
     return areMixed() ? 0.4 * masses[i] * radii[i] * radii[i] : inertia;
   }
   /// Gives every particle an external force and a drag coefficient, both zero, foreseen where it is.
   void addExternalForces();
+  /// Gives every particle an inertia of its own, to be set before the next step.
+  void addInertia();
 
   /// Particles go to `places`, which ascend, or away where that is negative; newcomers stand behind them.
   void exchange(const std::vector<std::int32_t>& places, const std::vector<PopulationChange::Newcomer>& come);

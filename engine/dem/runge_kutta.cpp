@@ -114,18 +114,20 @@ void RungeKutta4::evaluate(BedState& bed, std::size_t stage) {
   for (std::size_t b = 0; b < bed.contacts.blocks(); ++b) ContactForces::addIncoming(bed, b);
 }
 
-Vec2 RungeKutta4::acceleration(const BedState& bed, std::size_t i) const {
+// `masses` are null where all are alike.
+Vec2 RungeKutta4::acceleration(const BedState& bed, const double* masses, std::size_t i) const {
   const Particles& p = bed.particles;
   Vec2 force = bed.loads[i].force;
   if (!p.external.empty()) force += p.external[i] - p.drag[i] * bed.bodies[i].velocity;
-  return 1.0 / p.massOf(i) * force - Vec2{0.0, bed.gravity};
+  return 1.0 / (masses ? masses[i] : p.mass) * force - Vec2{0.0, bed.gravity};
 }
 
 void RungeKutta4::addRate(const BedState& bed, double weight) {
   const Particles& p = bed.particles;
+  const double* const masses = p.inertial();
   for (std::size_t i = 0; i < p.size(); ++i) {
     sum_.position[i] += weight * bed.bodies[i].velocity;
-    sum_.velocity[i] += weight * acceleration(bed, i);
+    sum_.velocity[i] += weight * acceleration(bed, masses, i);
   }
   for (std::size_t i = 0; i < p.spin.size(); ++i)
     sum_.spin[i] += weight / p.inertiaOf(i) * bed.loads[i].torque;
@@ -134,9 +136,10 @@ void RungeKutta4::addRate(const BedState& bed, double weight) {
 // From the start of the step with the rates of the last stage. Returns the largest distance moved, m.
 double RungeKutta4::moveFromStart(BedState& bed, double duration) {
   const Particles& p = bed.particles;
+  const double* const masses = p.inertial();
   const double distance = duration * largestNorm(bed.bodies, [](const Body& b) { return b.velocity; });
   for (std::size_t i = 0; i < p.size(); ++i) {
-    const Vec2 gain = duration * acceleration(bed, i);
+    const Vec2 gain = duration * acceleration(bed, masses, i);
     bed.bodies[i] = {p.position[i] + duration * bed.bodies[i].velocity, p.velocity[i] + gain};
   }
   for (std::size_t i = 0; i < p.spin.size(); ++i)

@@ -36,7 +36,7 @@ class RungeKutta4 {
   /// Tries a step; false, and nothing changed, where the lists do not reach as far.
   bool attempt(BedState& bed, bool force);
   void evaluate(BedState& bed, std::size_t stage);
-  Vec2 acceleration(const BedState& bed, std::size_t i) const;
+  Vec2 acceleration(const BedState& bed, const double* masses, std::size_t i) const;
   void addRate(const BedState& bed, double weight);
   double moveFromStart(BedState& bed, double duration);
   void growSprings(std::size_t stage, double duration);

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "engine/effects/advice.h"
 
+#include "engine/core/gas_grid.h"
 #include "engine/core/particle_list.h"
+#include "engine/effects/lift_laws.h"
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -73,6 +76,38 @@ EffectAdvice rollingAdvice(const Scene& scene) {
   return advice;
 }
 
+/// Saffman's lift over drag, at the fastest inlet's velocity and the strongest shear that a cell may hold.
+EffectAdvice liftAdvice(const Scene& scene) {
+  const LiftSettings* lift = scene.effects.find<LiftSettings>();
+  EffectAdvice advice{"lift", "lift/drag", 0.0, lift != nullptr, false, ""};
+  const double d = particleMeans(scene).diameter, slip = fastestInlet(scene), none = 0.0;
+  const GasGrid grid = makeGasGrid(scene);
+  const double cell = std::min(grid.dx(0), grid.dy(0)), shear = slip / cell;
+  const double mu = scene.gas->viscosity, reynolds = scene.gas->density * slip * d / mu;
+  double perSlip = 0.0, torque = 0.0;
+  const LiftLaw law(*scene.gas, {ShearLift::mei, SpinLift::none});
+  law.evaluate({1, &slip, &shear, &none, &d}, &perSlip, &torque);
+  advice.value = perSlip / (3.0 * pi * mu * d * dragFactor(reynolds));
+  advice.matters = advice.value > 0.1;
+  advice.meaning = fmt::format(
+      "Saffman's (1965) and Mei's (1992) at the fastest inlet's velocity, Re = {:.3g}, where that changes by "
+      "itself over a cell; matters above 0.1 (by definition)",
+      reynolds);
+  return advice;
+}
+
+EffectAdvice virtualMassAdvice(const Scene& scene) {
+  const VirtualMassSettings* settings = scene.effects.find<VirtualMassSettings>();
+  EffectAdvice advice{"virtual_mass", "C rho/rho_p", 0.0, settings != nullptr, false, ""};
+  const double coefficient = (settings ? *settings : VirtualMassSettings()).coefficient;
+  advice.value = coefficient * scene.gas->density / particleMeans(scene).density;
+  advice.matters = advice.value > 0.05;
+  advice.meaning =
+      "inertia of the gas that a particle takes along, over its own; matters above 0.05 (by definition; "
+      "Auton, Hunt & Prud'homme 1988)";
+  return advice;
+}
+
 }  // namespace
 
 std::vector<EffectAdvice> effectAdvice(const Scene& scene) {
@@ -82,6 +117,10 @@ std::vector<EffectAdvice> effectAdvice(const Scene& scene) {
     advice.push_back(cohesionAdvice(scene));
   }
   if (scene.contacts.friction) advice.push_back(rollingAdvice(scene));
+  if (scene.gas && scene.particles.count > 0) {
+    if (fastestInlet(scene) > 0.0) advice.push_back(liftAdvice(scene));
+    advice.push_back(virtualMassAdvice(scene));
+  }
   return advice;
 }
 

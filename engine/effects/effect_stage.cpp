@@ -3,6 +3,8 @@
 
 #include "engine/effects/feed_stage.h"
 #include "engine/effects/heat_stage.h"
+#include "engine/effects/lift_stage.h"
+#include "engine/effects/virtual_mass_stage.h"
 
 #include <array>
 
@@ -13,9 +15,11 @@ namespace {
 using Make = std::unique_ptr<EffectStage> (*)(const EffectContext&);
 
 /// Each makes its stage, or none where the scene does not have its table.
-constexpr std::array<Make, 2> makers{
+constexpr std::array<Make, 4> makers{
     FeedStage::make,
     HeatStage::make,
+    VirtualMassStage::make,  // before any other that adds to the particles' forces
+    LiftStage::make,
 };
 
 }  // namespace

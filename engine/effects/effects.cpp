@@ -69,6 +69,21 @@ std::string feedNote(const Scene& scene) {
                      feed->streams.size(), feed->outlets.size(), feed->most);
 }
 
+bool hasLift(const Scene& scene) { return scene.effects.find<LiftSettings>() != nullptr; }
+std::string liftNote(const Scene& scene) {
+  const LiftSettings* lift = scene.effects.find<LiftSettings>();
+  if (!lift) return "no table [lift]";
+  return fmt::format("by shear: {}, by spin: {}", modelName(lift->shear), modelName(lift->spin));
+}
+
+bool hasVirtualMass(const Scene& scene) { return scene.effects.find<VirtualMassSettings>() != nullptr; }
+std::string virtualMassNote(const Scene& scene) {
+  const VirtualMassSettings* settings = scene.effects.find<VirtualMassSettings>();
+  if (!settings) return "no table [virtual_mass]";
+  return fmt::format("{:g} of the gas displaced, crowding {}", settings->coefficient,
+                     modelName(settings->crowding));
+}
+
 bool hasObstacles(const Scene& scene) { return !scene.obstacles.empty(); }
 std::string obstaclesNote(const Scene& scene) {
   if (scene.obstacles.empty()) return "no tables [[obstacles]]";
@@ -102,6 +117,8 @@ constexpr std::array table{
     EffectInfo{"cohesion", "cohesion", hasCohesion, cohesionNote},
     EffectInfo{"heat", "heat", hasHeat, heatNoteOf},
     EffectInfo{"feed", "feed", hasFeed, feedNote},
+    EffectInfo{"lift", "lift", hasLift, liftNote},
+    EffectInfo{"virtual_mass", "virtual mass", hasVirtualMass, virtualMassNote},
 };
 
 }  // namespace

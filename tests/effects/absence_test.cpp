@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <fstream>
+#include <numbers>
 #include <sstream>
 
 namespace bedmix {
@@ -64,6 +65,17 @@ TEST(Absence, KeepsNothingOfEffectsThatAreOff) {
               feed.outlets = {{0.0, 0.01, 0.0, 0.01}};
             }),
             plain);
+  // Lift is made anew of what there is; virtual mass remembers itself, a velocity and a force.
+  EXPECT_EQ(perParticle([&](Scene& s) {
+              gas(s);
+              s.effects.at<LiftSettings>() = {ShearLift::mei, SpinLift::none};
+            }),
+            perParticle(gas));
+  EXPECT_EQ(perParticle([&](Scene& s) {
+              gas(s);
+              s.effects.at<VirtualMassSettings>().emplace();
+            }),
+            perParticle(gas) + 8.0 + 16.0 + 16.0);
   // Contacts that differ have no state of their own.
   EXPECT_EQ(perParticle([](Scene& s) {
               s.contacts.hertz.emplace();
@@ -168,6 +180,28 @@ TEST(Advice, TellsDustThatItsFallNeedsTheAir) {
   Scene still = test::lowScene(20, 1e-4);
   EXPECT_FALSE(adviceOn(effectAdvice(still), "gas").matters);
   EXPECT_TRUE(adviceOn(effectAdvice(test::lowScene(20, 2.0)), "gas").matters);
+}
+
+TEST(Advice, TellsWhatLiquidsDoThatGasesDoNot) {
+  Scene scene = test::lowScene(20, 0.1);
+  const auto of = [&](std::string_view table) { return adviceOn(effectAdvice(scene), table); };
+  EXPECT_FALSE(of("virtual_mass").matters);
+  EXPECT_FALSE(of("virtual_mass").isOn);
+  scene.effects.at<VirtualMassSettings>().emplace();
+  scene.effects.at<LiftSettings>().emplace();
+  scene.gas->density = 1000.0;
+  scene.gas->viscosity = 1e-3;
+  EXPECT_NEAR(of("virtual_mass").value, 0.5 * 1000.0 / 1500.0, 1e-12);
+  EXPECT_TRUE(of("virtual_mass").matters && of("virtual_mass").isOn && of("lift").isOn);
+  // Saffman over Stokes, 1.615/(3 pi) sqrt(d^2 G/nu), with G = u/(cell), at Re = 0.04
+  scene.gas->viscosity = 10.0;
+  EXPECT_NEAR(of("lift").value, 1.615 / (3.0 * std::numbers::pi) * std::sqrt(16e-6 * 0.1 / 0.012 / 0.01),
+              0.02 * of("lift").value);
+  EXPECT_FALSE(of("lift").matters);
+  scene.gas.reset();
+  const std::vector<EffectAdvice> without = effectAdvice(scene);
+  EXPECT_TRUE(
+      std::none_of(without.begin(), without.end(), [](const EffectAdvice& a) { return a.table == "lift"; }));
 }
 
 }  // namespace

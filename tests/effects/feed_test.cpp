@@ -173,7 +173,7 @@ TEST(Feed, MakesNoGasFlow) {
   EXPECT_GT(1.0f - *std::min_element(frame->gas.voidage.begin(), frame->gas.voidage.end()), 0.01f);
 }
 
-/// Two kinds with sizes of their own, in gas, with temperatures.
+/// Two kinds with sizes of their own, in gas, with temperatures, lift and virtual mass.
 Scene wholeBed() {
   Scene scene = test::lowScene(60, 3.0);
   scene.start.arrangement = Arrangement::drop;
@@ -183,6 +183,8 @@ Scene wholeBed() {
   HeatSettings& heat = scene.effects.at<HeatSettings>().emplace();
   heat.heatCapacity = 840.0;
   heat.gas.emplace();
+  scene.effects.at<LiftSettings>() = {ShearLift::mei, SpinLift::rubinowKeller};
+  scene.effects.at<VirtualMassSettings>().emplace();
   addFeed(scene, 100.0, 100);
   feedOf(scene).streams[0].y = 0.1;
   feedOf(scene).streams.push_back(

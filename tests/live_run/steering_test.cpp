@@ -51,6 +51,8 @@ std::vector<Override> turningOn(const std::string& key) {
       changes.push_back({"heat", "{heat_capacity = 840.0, conductivity = 1.0, gas = {}}"});
     return changes;
   }
+  if (key.starts_with("lift")) return {{"lift", "{}"}};
+  if (key.starts_with("virtual_mass")) return {{"virtual_mass", "{}"}};
   if (key.starts_with("gas.inlets.pulse")) {
     const char* shape = key.ends_with("duty") ? "square" : "sine";
     return {
@@ -108,6 +110,10 @@ const std::map<std::string, std::vector<Override>> otherValues{
     {"feed.outlets.to", {{"feed.outlets.0.to", "0.044"}}},
     {"feed.outlets.bottom", {{"feed.outlets.0.bottom", "0.01"}}},
     {"feed.outlets.top", {{"feed.outlets.0.top", "0.06"}}},
+    {"lift.shear", {{"lift.shear", "saffman"}}},
+    {"lift.spin", {{"lift.spin", "rubinow-keller"}}},
+    {"virtual_mass.coefficient", {{"virtual_mass.coefficient", "0.6"}}},
+    {"virtual_mass.crowding", {{"virtual_mass.crowding", "none"}}},
     {"gas.inlets.pulse.shape", {{"gas.inlets.0.pulse.shape", "square"}}},
     {"gas.inlets.pulse.frequency", {{"gas.inlets.0.pulse.frequency", "10.0"}}},
     {"gas.inlets.pulse.amplitude", {{"gas.inlets.0.pulse.amplitude", "0.2"}}},
