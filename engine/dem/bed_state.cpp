@@ -75,7 +75,7 @@ void BedState::exchange(const std::vector<std::int32_t>& places,
   loads.resize(particles.size());
   bodies.resize(particles.size());
   spinAhead.resize(particles.spin.size());
-  contacts.renumber(places, particles.size());
+  contacts.renumber(places);
   placeBodies();
 }
 

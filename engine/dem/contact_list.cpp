@@ -40,18 +40,11 @@ bool loadHistory(StateReader& in, ContactSlots& slots) {
 }
 
 /// Blocks whose contacts are evaluated together: as large as a core's cache likes, but several strips, so
-/// that few contacts cross from one to the next.
-std::size_t contactBlocks(const Scene& scene, std::size_t particles) {
-  const double d = scene.particles.diameter, across = scene.bed.width / d;
+/// that few contacts cross from one to the next. The bed is `across` diameters wide.
+std::size_t contactBlocks(double across, std::size_t particles) {
   const double strip = std::min(across, static_cast<double>(particles) / across);
   const double size = std::max(1024.0, 8.0 * strip);
   return std::max<std::size_t>(1, static_cast<std::size_t>(static_cast<double>(particles) / size));
-}
-
-/// As many as may come to be there, by the feed.
-std::size_t fedUpTo(const Scene& scene) {
-  const FeedSettings* feed = scene.effects.find<FeedSettings>();
-  return feed ? static_cast<std::size_t>(feed->most) : 0;
 }
 
 }  // namespace
@@ -92,18 +85,29 @@ ContactList::ContactList(const Scene& scene, const std::vector<WallSegment>& wal
       columns_(scene),
       walls_(wallShapes(walls)),
       order_(diameter_ + skin_),
-      blocks_(contactBlocks(scene, std::max(particles, fedUpTo(scene)))) {
-  for (ContactBlock& block : blocks_)
-    for (std::size_t w = 0; w < walls_.size(); ++w) block.walls.push_back({w, {}});
+      across_(scene.bed.width / scene.particles.diameter) {
   share(particles);
 }
 
 void ContactList::share(std::size_t particles) {
-  for (std::size_t b = 0; b < blocks_.size(); ++b)
+  ContactBlock deepest;
+  for (const ContactBlock& block : blocks_)
+    if (block.deepest > deepest.deepest) {
+      deepest.deepest = block.deepest;
+      deepest.deepestId = block.deepestId;
+    }
+  blocks_.resize(contactBlocks(across_, particles));
+  if (deepest.deepest > 0.0) {
+    blocks_[0].deepest = deepest.deepest;
+    blocks_[0].deepestId = deepest.deepestId;
+  }
+  for (std::size_t b = 0; b < blocks_.size(); ++b) {
     blocks_[b].particles = blockOf(particles, blocks_.size(), b);
+    for (std::size_t w = blocks_[b].walls.size(); w < walls_.size(); ++w) blocks_[b].walls.push_back({w, {}});
+  }
 }
 
-void ContactList::renumber(const std::vector<std::int32_t>& places, std::size_t particles) {
+void ContactList::renumber(const std::vector<std::int32_t>& places) {
   const auto renumberSlots = [&](ContactSlots& slots) {
     const bool ofPairs = !slots.second.empty();
     for (std::size_t c = 0; c < slots.count; ++c) {
@@ -121,12 +125,12 @@ void ContactList::renumber(const std::vector<std::int32_t>& places, std::size_t 
     renumberSlots(block.crossing);
     for (ContactBlock::AtWall& w : block.walls) renumberSlots(w.slots);
   }
-  share(particles);
 }
 
 bool ContactList::sort(const std::vector<Body>& bodies) {
   if (!order_.sort(bodies)) return false;
   if (columns_.any()) rememberContacts();
+  if (built_.size() != bodies.size()) share(bodies.size());
   built_.resize(bodies.size());
   ++builds_;
   return true;

@@ -140,9 +140,9 @@ class ContactList {
   /// What is left of the skin after that; negative where it is too little to go on with.
   double remainder(const Displacements& d) const;
 
-  /// Before a new list of other particles: those there are go to `places`, which ascend, or away where that
-  /// is negative, and are `particles` with those that have come.
-  void renumber(const std::vector<std::int32_t>& places, std::size_t particles);
+  /// Before a new list of other particles, whose number may change that of the blocks: those there are go to
+  /// `places`, which ascend, or away where that is negative.
+  void renumber(const std::vector<std::int32_t>& places);
 
   void save(StateWriter& out) const;
   /// Into a list that has not been made yet, of particles in the order they had in the saved one. Leaves
@@ -171,6 +171,7 @@ class ContactList {
   std::size_t reach_ = 0;
   std::vector<WallShape> walls_;
   CellOrder order_;
+  double across_;  // width of the bed, in diameters
   std::vector<ContactBlock> blocks_;
   std::vector<Vec2> built_;  // where the particles were when the list was made
   ContactSlots remembered_;  // by their first in the new order; second is -1 - wall at a wall

@@ -56,7 +56,9 @@ void RungeKutta4::relist(BedState& bed) {
   sum_.position.resize(bed.particles.size());
   sum_.velocity.resize(bed.particles.size());
   sum_.spin.resize(bed.particles.spin.size());
-  rebuild(bed);
+  if (!bed.sort()) return;
+  history_.resize(bed.contacts.blocks() * (2 + bed.contacts.walls().size()));
+  makeLists(bed);
 }
 
 StepOutcome RungeKutta4::advance(BedState& bed, std::int64_t steps, double maxOverlap) {
@@ -188,12 +190,16 @@ bool RungeKutta4::renewLists(BedState& bed) {
 
 bool RungeKutta4::rebuild(BedState& bed) {
   if (!bed.sort()) return false;
+  makeLists(bed);
+  return true;
+}
+
+void RungeKutta4::makeLists(BedState& bed) {
   ContactList& lists = bed.contacts;
   bed.budget = lists.fullBudget(bed.step * largestNorm(bed.particles.velocity));
   for (std::size_t b = 0; b < lists.blocks(); ++b) lists.find(b, bed.budget.inner, bed.bodies, spare_);
   lists.link();
   fitHistory(bed);
-  return true;
 }
 
 void RungeKutta4::fitHistory(BedState& bed) {

@@ -43,6 +43,7 @@ class RungeKutta4 {
   double finish(BedState& bed);
   bool renewLists(BedState& bed);
   bool rebuild(BedState& bed);
+  void makeLists(BedState& bed);
   void fitHistory(BedState& bed);
 
   ContactForces contacts_;

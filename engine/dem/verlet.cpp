@@ -18,10 +18,15 @@ Verlet::Verlet(const Scene& scene, const BedState& bed)
     : contacts_(scene),
       halves_(scene.time.integrator != Integrator::symplecticEuler),
       reachAhead_(scene.time.integrator == Integrator::verletOnset ? 2.0 : 0.0),
-      spare_(bed.team.size()),
-      fastest2_(bed.contacts.blocks()),
-      deepest_(bed.contacts.blocks()),
-      displacements_(bed.contacts.blocks()) {}
+      spare_(bed.team.size()) {
+  resize(bed);
+}
+
+void Verlet::resize(const BedState& bed) {
+  fastest2_.resize(bed.contacts.blocks());
+  deepest_.resize(bed.contacts.blocks());
+  displacements_.resize(bed.contacts.blocks());
+}
 
 Verlet::Member Verlet::start(const BedState& bed, int index) const {
   return {.index = index, .blocks = bed.team.share(bed.contacts.blocks(), index), .budget = bed.budget};
@@ -65,12 +70,15 @@ void Verlet::begin(BedState& bed) {
 // The coming step begins with the loads that ended the last one.
 void Verlet::relist(BedState& bed) {
   const std::vector<Load> loads = bed.loads;
+  if (!bed.sort()) return;
+  resize(bed);
+  bed.budget = bed.contacts.fullBudget(0.0);
   bed.team.run([&](int index) {
-    Member m = start(bed, index);
-    rebuild(bed, m, 0.0);
-    if (index == 0) bed.budget = m.budget;
+    const Range blocks = bed.team.share(bed.contacts.blocks(), index);
+    for (std::size_t b = blocks.begin; b < blocks.end; ++b)
+      bed.contacts.find(b, bed.budget.inner, bed.bodies, spare_[index]);
   });
-  if (!sorted_) return;
+  bed.contacts.link();
   const std::vector<std::int32_t>& order = bed.contacts.order();
   for (std::size_t k = 0; k < order.size(); ++k) bed.loads[k] = loads[order[k]];
 }

@@ -43,6 +43,7 @@ class Verlet {
       if (sampled) closer.lap(share ? *share : skipped);
     }
   };
+  void resize(const BedState& bed);
   Member start(const BedState& bed, int index) const;
   void walk(BedState& bed, Member& m, std::int64_t steps, double maxOverlap);
   bool keepLists(BedState& bed, Member& m);

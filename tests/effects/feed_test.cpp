@@ -212,6 +212,31 @@ TEST(Feed, ThreadsAndCheckpointsChangeNoBit) {
   EXPECT_LT(frame->size(), static_cast<std::size_t>(frame->id.back()) + 1);  // some have left
 }
 
+/// More than half of a bed of two blocks of contacts goes at once, and comes again.
+TEST(Feed, ListsFollowHowManyThereAre) {
+  for (const Integrator integrator : {Integrator::velocityVerlet, Integrator::rk4}) {
+    Scene scene = emptyBed();
+    scene.bed.width = 0.2;
+    scene.particles.count = 2500;
+    scene.start.arrangement = Arrangement::drop;
+    scene.time.integrator = integrator;
+    addFeed(scene, 2e5, 2600);
+    feedOf(scene).streams[0] = {.rate = 5e4, .from = 0.0, .to = 0.2, .y = 0.9, .vy = -2.0};
+    feedOf(scene).outlets = {{.from = 0.0, .to = 0.11, .bottom = 0.0, .top = 0.8}};
+    Simulation whole = test::simulate(scene), two = test::simulate(scene, 2);
+    ASSERT_EQ(whole.advance(1000), std::nullopt);
+    EXPECT_LT(whole.frame()->size(), 1500u);
+    ASSERT_EQ(whole.advance(7000), std::nullopt);
+    ASSERT_EQ(two.advance(8000), std::nullopt);
+    EXPECT_GT(whole.frame()->size(), 1550u);
+    EXPECT_EQ(whole.stateHash(), two.stateHash());
+    Simulation again = reloaded(two, scene);
+    ASSERT_EQ(whole.advance(2000), std::nullopt);
+    ASSERT_EQ(again.advance(2000), std::nullopt);
+    EXPECT_EQ(whole.stateHash(), again.stateHash());
+  }
+}
+
 TEST(Feed, FramesTellKindsSizesAndTemperatures) {
   const Scene scene = wholeBed();
   Simulation simulation = test::simulate(scene);
