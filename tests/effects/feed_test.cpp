@@ -220,8 +220,9 @@ TEST(Feed, ListsFollowHowManyThereAre) {
     scene.particles.count = 2500;
     scene.start.arrangement = Arrangement::drop;
     scene.time.integrator = integrator;
-    addFeed(scene, 2e5, 2600);
-    feedOf(scene).streams[0] = {.rate = 5e4, .from = 0.0, .to = 0.2, .y = 0.9, .vy = -2.0};
+    addFeed(scene, 0.0, 2600);
+    for (const double y : {0.9, 1.0, 1.1, 1.2, 1.3})
+      feedOf(scene).streams.push_back({.rate = 1e4, .from = 0.12, .to = 0.2, .y = y, .vy = -2.0});
     feedOf(scene).outlets = {{.from = 0.0, .to = 0.11, .bottom = 0.0, .top = 0.8}};
     Simulation whole = test::simulate(scene), two = test::simulate(scene, 2);
     ASSERT_EQ(whole.advance(1000), std::nullopt);
