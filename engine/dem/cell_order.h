@@ -14,10 +14,14 @@ namespace bedmix {
 /// are neighbours in space then are near each other in memory, and whoever may touch a particle stands in two
 /// runs behind it, one in its own strip and one in the next. Cells are at most about eight a particle;
 /// whoever lies beyond is counted into the last ones, which moves no two neighbours further apart.
+///
+/// Where places repeat sideways, strips are upright and fill the period; whoever stands in the first one then
+/// has neighbours in a third run, in the last strip. A period holds three cells at least.
 class CellOrder {
  public:
-  /// `size` of the cells, m: no less than the distance within which neighbours are sought.
-  explicit CellOrder(double size) : size_(size) {}
+  /// `size` of the cells, m: no less than the distance within which neighbours are sought; and the period, m,
+  /// or 0.
+  explicit CellOrder(double size, double period = 0.0) : size_(size), period_(period) {}
 
   /// False, and nothing done, where a particle is at no finite place. Cost grows linearly with their number.
   bool sort(const std::vector<Body>& bodies);
@@ -27,28 +31,38 @@ class CellOrder {
 
   /// Calls visit(k, sameStrip, nextStrip) for the particles `k` in `range` of the order, ascending, with the
   /// ranges of those behind it in the order that may be within reach, each pair of particles once.
-  template <class Visit>
+  /// Where places repeat, visit(k, sameStrip, nextStrip, lastStrip).
+  template <bool repeats = false, class Visit>
   void forNeighbours(Range range, Visit&& visit) const;
 
  private:
-  double size_;
+  double size_, period_;
   std::int32_t strips_ = 0, perStrip_ = 0;
   std::vector<std::int32_t> cellOf_, order_;
   std::vector<std::int32_t> start_;  // of each cell in the order, and one past the last
 };
 
-template <class Visit>
+template <bool repeats, class Visit>
 void CellOrder::forNeighbours(Range range, Visit&& visit) const {
   for (std::size_t k = range.begin; k < range.end;) {
     const std::int32_t cell = cellOf_[k], strip = cell / perStrip_, place = cell % perStrip_;
     const std::int32_t above = place + 1 < perStrip_ ? 1 : 0, below = place > 0 ? 1 : 0;
     const auto cellEnd = static_cast<std::size_t>(start_[cell + 1]);
     const auto sameEnd = static_cast<std::size_t>(start_[cell + 1 + above]);
-    Range next{0, 0};
-    if (strip + 1 < strips_)
-      next = {static_cast<std::size_t>(start_[cell + perStrip_ - below]),
-              static_cast<std::size_t>(start_[cell + perStrip_ + above + 1])};
-    for (; k < std::min(cellEnd, range.end); ++k) visit(k, Range{k + 1, sameEnd}, next);
+    const auto besideIn = [&](std::int32_t other) {
+      const std::int32_t beside = other * perStrip_ + place;
+      return Range{static_cast<std::size_t>(start_[beside - below]),
+                   static_cast<std::size_t>(start_[beside + above + 1])};
+    };
+    Range next{0, 0}, last{0, 0};
+    if (strip + 1 < strips_) next = besideIn(strip + 1);
+    if (repeats && strip == 0) last = besideIn(strips_ - 1);
+    for (; k < std::min(cellEnd, range.end); ++k) {
+      if constexpr (repeats)
+        visit(k, Range{k + 1, sameEnd}, next, last);
+      else
+        visit(k, Range{k + 1, sameEnd}, next);
+    }
   }
 }
 

@@ -83,9 +83,10 @@ ContactList::ContactList(const Scene& scene, const std::vector<WallSegment>& wal
     : diameter_(particleRange(scene).largest + cohesionRange(scene)),
       wallReach_(particleRange(scene).largest / 2.0 + cohesionRange(scene)),
       skin_(skinOverDiameter * diameter_),
+      period_(scene),
       columns_(scene),
       walls_(wallShapes(walls)),
-      order_(diameter_ + skin_),
+      order_(diameter_ + skin_, period_.length),
       blocks_(contactBlocks(scene, particles)) {
   for (std::size_t b = 0; b < blocks_.size(); ++b) {
     blocks_[b].particles = blockOf(particles, blocks_.size(), b);
@@ -165,7 +166,7 @@ void ContactList::recall(ContactSlots& slots, std::int32_t wall) const {
 void ContactList::find(std::size_t b, double innerSkin, const std::vector<Body>& bodies,
                        ContactSlots& spare) {
   ContactBlock& block = blocks_[b];
-  findPairs(block, bodies);
+  period_.isOn() ? findPairs<true>(block, bodies) : findPairs<false>(block, bodies);
   findWalls(block, bodies);
   for (std::size_t i = block.particles.begin; i < block.particles.end; ++i) built_[i] = bodies[i].position;
 
@@ -179,8 +180,13 @@ void ContactList::find(std::size_t b, double innerSkin, const std::vector<Body>&
   for (ContactBlock::AtWall& w : block.walls) recall(w.slots, -1 - static_cast<std::int32_t>(w.wall));
 }
 
+template <bool repeats>
 void ContactList::findPairs(ContactBlock& block, const std::vector<Body>& bodies) {
   const double reach = diameter_ + skin_;
+  const auto between = [&](std::size_t i, std::size_t j) {
+    const Vec2 apart = bodies[j].position - bodies[i].position;
+    return repeats ? period_.nearest(apart) : apart;
+  };
   std::vector<ContactBlock::Pair>& inside = block.candidates;
   ContactSlots& crossing = block.crossing;
   std::size_t& count = block.candidateCount;
@@ -191,22 +197,20 @@ void ContactList::findPairs(ContactBlock& block, const std::vector<Body>& bodies
     if (here.begin < here.end && count + here.size() > inside.size())
       atLeast(inside, inside.size() + here.size() + block.particles.size() / 8);
     for (std::size_t j = here.begin; j < here.end; ++j) {
-      const Vec2 apart = bodies[j].position - bodies[i].position;
+      const Vec2 apart = between(i, j);
       inside[count] = {static_cast<std::int32_t>(i), static_cast<std::int32_t>(j)};
       count += static_cast<std::size_t>(dot(apart, apart) < reach * reach);
     }
     for (std::size_t j = std::max(others.begin, block.particles.end); j < others.end; ++j) {
-      const Vec2 apart = bodies[j].position - bodies[i].position;
+      const Vec2 apart = between(i, j);
       if (!(dot(apart, apart) < reach * reach)) continue;
       crossing.reserve(crossing.count + 1 + crossing.count / 2, true, columns_);
       crossing.first[crossing.count] = static_cast<std::int32_t>(i);
       crossing.second[crossing.count++] = static_cast<std::int32_t>(j);
     }
   };
-  order_.forNeighbours(block.particles, [&](std::size_t i, Range sameStrip, Range nextStrip) {
-    scan(i, sameStrip);
-    scan(i, nextStrip);
-  });
+  const auto scanAll = [&](std::size_t i, auto... ranges) { (scan(i, ranges), ...); };
+  order_.forNeighbours<repeats>(block.particles, scanAll);
   crossing.reserve(crossing.count, true, columns_);
   crossing.pad(static_cast<std::int32_t>(block.particles.begin));
   atLeast(block.crossingLoads, crossing.count + vector);
@@ -263,9 +267,10 @@ void ContactList::refresh(std::size_t b, double innerSkin, const std::vector<Bod
   for (std::size_t k = 0; k < block.candidateCount; k += portion) {
     const std::span some(block.candidates.data() + k, std::min(portion, block.candidateCount - k));
     block.near.reserve(block.near.count + some.size(), true, columns_);
-    const auto chosen = columns_.rolling || columns_.bridge ? &ContactList::choose<Remembers::more>
-                        : columns_.friction                 ? &ContactList::choose<Remembers::springs>
-                                                            : &ContactList::choose<Remembers::nothing>;
+    const auto chosen = period_.isOn()                        ? &ContactList::choose<Remembers::more, true>
+                        : columns_.rolling || columns_.bridge ? &ContactList::choose<Remembers::more, false>
+                        : columns_.friction ? &ContactList::choose<Remembers::springs, false>
+                                            : &ContactList::choose<Remembers::nothing, false>;
     (this->*chosen)(some, innerSkin, bodies, old, met, block.near);
   }
   block.near.reserve(block.near.count, true, columns_);
@@ -290,7 +295,7 @@ void ContactList::cutNear(ContactBlock& block) {
 }
 
 // No branch: who is near is packed to the front, and the old ones are met in the same order.
-template <ContactList::Remembers what>
+template <ContactList::Remembers what, bool repeats>
 void ContactList::choose(std::span<const ContactBlock::Pair> candidates, double innerSkin,
                          const std::vector<Body>& bodies, const ContactSlots& old, std::size_t& met,
                          ContactSlots& near) const {
@@ -298,7 +303,8 @@ void ContactList::choose(std::span<const ContactBlock::Pair> candidates, double 
   constexpr double kept[] = {0.0, 1.0};
   std::size_t count = near.count;
   for (const auto& [i, j] : candidates) {
-    const Vec2 apart = bodies[j].position - bodies[i].position;
+    Vec2 apart = bodies[j].position - bodies[i].position;
+    if constexpr (repeats) apart = period_.nearest(apart);
     near.first[count] = i;
     near.second[count] = j;
     if constexpr (what != Remembers::nothing) {
@@ -388,8 +394,10 @@ void ContactList::Displacements::add(double square) {
 ContactList::Displacements ContactList::displacements(Range particles,
                                                       const std::vector<Body>& bodies) const {
   Displacements d;
+  const bool repeats = period_.isOn();
   for (std::size_t i = particles.begin; i < particles.end; ++i) {
-    const Vec2 moved = bodies[i].position - built_[i];
+    Vec2 moved = bodies[i].position - built_[i];
+    if (repeats) moved = period_.nearest(moved);  // they may have been moved to the other side since
     d.add(dot(moved, moved));
   }
   return d;

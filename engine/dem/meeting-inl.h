@@ -69,6 +69,14 @@ class Meetings {
     return m;
   }
 
+  /// Of the images of the seconds, where the bed has them.
+  HWY_INLINE void takeNearest(Planar& apart) const {
+    const Period& period = kernel_.effects->period;
+    if (!period.isOn()) return;
+    const V periods = hn::Round(hn::Mul(apart.x, hn::Set(d_, period.perLength)));
+    apart.x = hn::Sub(apart.x, hn::Mul(hn::Set(d_, period.length), periods));
+  }
+
  private:
   HWY_INLINE Meeting<true> begin(const std::int32_t* i) const {
     Meeting<true> m;

@@ -115,9 +115,15 @@ HWY_EXPORT(substitute);
 
 BandSolver::BandSolver(const FaceLayout& layout) : layout_(layout) {
   const auto columns = static_cast<std::size_t>(layout.columns), rows = static_cast<std::size_t>(layout.rows);
-  width_ = std::min(columns, rows);
-  columnStep_ = columns <= rows ? 1 : rows;
-  rowStep_ = columns <= rows ? columns : 1;
+  const std::size_t columnWidth = layout.repeats ? 2 * rows : rows;  // of a band of columns
+  const std::size_t columnStep = columns <= columnWidth ? 1 : rows;
+  width_ = std::min(columns, columnWidth);
+  rowStep_ = columns <= columnWidth ? columns : 1;
+  for (std::size_t i = 0; i < columns; ++i) {
+    const std::size_t fromEnd = columns - 1 - i;
+    const std::size_t place = !layout.repeats ? i : i <= fromEnd ? 2 * i : 2 * fromEnd + 1;
+    columnPlace_.push_back(place * columnStep);
+  }
   blocks_ = (columns * rows + 3) / 4;
   rowLength_ = (width_ + 3) / 4 * 4 + 4;
   band_.resize((4 * blocks_ + width_) * rowLength_);
@@ -139,7 +145,10 @@ bool BandSolver::prepare(const std::vector<double>& conductance) {
       const double sum = west[c] + west[c + 1] + south[c] + south[c + l.stride];
       if (sum != 0.0) *diagonal = sum;
       // The neighbours to the right and above.
-      if (i + 1 < l.columns) diagonal[columnStep_] = -west[c + 1];
+      if (i + 1 < l.columns || l.repeats) {
+        const std::size_t right = unknown((i + 1) % l.columns, j), first = std::min(k, right);
+        band_[first * rowLength_ + first % 4 + std::max(k, right) - first] = -west[c + 1];
+      }
       if (j + 1 < l.rows) diagonal[rowStep_] = -south[c + l.stride];
     }
   return HWY_DYNAMIC_DISPATCH(factorize)(band_.data(), perPivot_.data(), scaled_.data(), blocks_, width_,

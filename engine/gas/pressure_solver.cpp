@@ -24,7 +24,9 @@ PressureSolver::Iteration::Iteration(const FaceLayout& layout, int members)
 
 PressureSolver::PressureSolver(const FaceLayout& layout, int members)
     : layout_(layout), reduction_(layout.rows) {
-  if (std::min(layout.columns, layout.rows) <= widestDirect && layout.columns * layout.rows < largestDirect)
+  const bool isSmall =
+      std::min(layout.columns, layout.rows) <= widestDirect && layout.columns * layout.rows < largestDirect;
+  if (isSmall || layout.repeats)  // the multigrid knows no ghosts
     band_.emplace(layout);
   else
     iteration_.emplace(layout, members);
