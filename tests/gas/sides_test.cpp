@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "engine/core/rng.h"
 #include "engine/gas/gas_solver.h"
 #include "tests/gas/gas_scenes.h"
 
@@ -168,6 +169,59 @@ TEST(PeriodicGas, FieldsGoWithTheirInlets) {
         EXPECT_LT(largest, 1e-8) << columns << " columns, shifted by " << shift;
       }
     }
+}
+
+struct AroundSolution {
+  int iterations;
+  double residual;  // largest, over the largest of b
+};
+
+/// Solves for a random right-hand side, written out face by face; conductances vary by a factor of ten.
+AroundSolution solvePressure(int columns, int rows) {
+  Scene scene = Shifted::sceneOf(columns, 0, GasScheme::projection);
+  scene.gas->grid.rows = {{rows, 0.42 / rows}};
+  const FaceLayout layout = makeFaceLayout(makeGasGrid(scene));
+  PressureSolver solver(layout, 1);
+  Rng rng(1);
+  std::vector<double> conductance(layout.faces()), b(layout.size), p(layout.size);
+  for (const MomentumVolume& v : layout.volumes)
+    conductance[v.face] = v.area * v.area / v.volume * std::pow(10.0, rng.uniform() - 0.5);
+  Member alone;
+  layout.copyAround(alone, conductance);
+  const auto place = [&](int cell) { return layout.at(cell % columns, cell / columns); };
+  for (const int c : layout.openCells) b[place(c)] = rng.uniform() - 0.5;
+  EXPECT_TRUE(solver.prepare(alone, conductance));
+  const int iterations = solver.solve(alone, b, p, {1e-12, 0.0});
+  std::vector<double> residual = b;
+  int onSeam = 0;
+  for (const MomentumVolume& v : layout.volumes) {
+    const int minus = place(v.cellMinus), plus = v.cellPlus < 0 ? -1 : place(v.cellPlus);
+    onSeam += !v.vertical && v.cellMinus % columns == columns - 1 && v.cellPlus % columns == 0;
+    const double flow = conductance[v.face] * (p[minus] - (plus < 0 ? 0.0 : p[plus]));
+    residual[minus] -= flow;
+    if (plus >= 0) residual[plus] += flow;
+  }
+  EXPECT_EQ(onSeam, rows);
+  double largest = 0.0;
+  for (const int c : layout.openCells) largest = std::max(largest, std::abs(residual[place(c)]));
+  return {iterations, largest / 0.5};
+}
+
+TEST(PeriodicGas, PressureIsSolvedAroundTheSeam) {
+  for (const auto& [columns, rows] :
+       {std::pair(4, 10), std::pair(9, 30), std::pair(32, 30), std::pair(31, 5)}) {
+    const AroundSolution s = solvePressure(columns, rows);
+    EXPECT_EQ(s.iterations, 0);
+    EXPECT_LT(s.residual, 1e-10);
+  }
+  const AroundSolution small = solvePressure(80, 80), large = solvePressure(320, 320);
+  EXPECT_GT(small.iterations, 0);
+  EXPECT_LE(large.iterations, small.iterations + 10);
+  EXPECT_LE(large.iterations, 50);
+  EXPECT_LT(small.residual, 1e-9);
+  EXPECT_LT(large.residual, 1e-9);
+  for (const auto& [columns, rows] : {std::pair(40, 400), std::pair(400, 40), std::pair(123, 45)})
+    EXPECT_LT(solvePressure(columns, rows).residual, 1e-9);
 }
 
 // A grid large enough to be shared.
