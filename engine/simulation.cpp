@@ -5,6 +5,7 @@
 #include "engine/core/hash.h"
 #include "engine/core/inlet_flow.h"
 #include "engine/core/particle_list.h"
+#include "engine/core/period.h"
 #include "engine/core/walls.h"
 #include "engine/coupling/exchange.h"
 #include "engine/coupling/gas_step.h"
@@ -425,6 +426,7 @@ const StepReport& Simulation::report() const { return state_->report; }
 FramePtr Simulation::frame() const {
   const State& s = *state_;
   const Particles& p = s.solver->particles();
+  const Period period(s.scene);
   auto frame = std::make_shared<Frame>();
   frame->step = s.step;
   frame->time = time();
@@ -436,7 +438,7 @@ FramePtr Simulation::frame() const {
   frame->velocity.resize(p.size());
   frame->angularVelocity.resize(p.spin.size());
   for (std::size_t i = 0; i < p.size(); ++i) {
-    frame->position[p.id[i]] = toFloat(p.position[i]);
+    frame->position[p.id[i]] = period.rounded(p.position[i]);
     frame->velocity[p.id[i]] = toFloat(p.velocity[i]);
     if (!p.spin.empty()) frame->angularVelocity[p.id[i]] = static_cast<float>(p.spin[i]);
   }

@@ -4,6 +4,7 @@
 #include "engine/core/scene.h"
 #include "engine/core/vec2.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace bedmix {
@@ -29,7 +30,19 @@ struct Period {
     return isOn() ? toFloat(toDouble(from) + nearest(toDouble(to) - toDouble(from))) : to;
   }
   /// By how much a place must be moved to lie within 0 and the length, m.
-  double shiftOf(double x) const { return -length * std::floor(x * perLength); }
+  double shiftOf(double x) const {
+    if (x >= 0.0 && x < length) return 0.0;
+    const double laps = std::floor(x * perLength);
+    return length * (x < 0.0 ? std::max(1.0, -laps) : -std::max(1.0, laps));
+  }
+  /// A place in the bed in single precision, whose rounding must not take it out of the bed.
+  Vec2f rounded(Vec2 at) const {
+    Vec2f to = toFloat(at);
+    if (!isOn()) return to;
+    if (static_cast<double>(to.x) >= length) to.x = std::nextafter(to.x, 0.0f);
+    to.x = std::max(to.x, 0.0f);
+    return to;
+  }
 };
 
 }  // namespace bedmix

@@ -3,7 +3,6 @@
 
 #include "engine/core/particle_list.h"
 #include "engine/core/walls.h"
-#include "engine/effects/cohesion.h"
 
 #include <fmt/format.h>
 

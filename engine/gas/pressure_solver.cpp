@@ -14,7 +14,7 @@ namespace {
 // keeps one thread busy only.
 constexpr int widestDirect = 16, largestDirect = 4096;
 // Between periodic sides, where iterations cost more.
-constexpr int widestDirectAround = 32;
+constexpr int widestDirectAround = 48;
 
 }  // namespace
 

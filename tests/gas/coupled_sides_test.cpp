@@ -18,6 +18,8 @@ Scene periodicScene(int columns) {
   Scene scene = test::paperScene(0.0);
   scene.bed.sides = BedSides::periodic;
   scene.particles.count = 240;
+  scene.effects.at<HeatSettings>() = HeatSettings{
+      .heatCapacity = 0.5, .conductivity = 200.0, .temperature = 350.0, .gas = HeatGasSettings{}};
   scene.gas->inlets.clear();
   for (const int column : {3, 4}) {
     const double from = ((column + columns) % 8) * 0.012;
@@ -46,19 +48,24 @@ TEST(CoupledSides, BedGoesWithItsInlets) {
   EXPECT_LT(there.report().largestMassResidual, 1e-10);
   const FramePtr a = here.frame(), b = there.frame();
   double moved = 0.0;
+  float coldest = 350.0f;
   for (std::size_t i = 0; i < a->size(); ++i) {
     const double apart = static_cast<double>(b->position[i].x) - static_cast<double>(a->position[i].x);
     EXPECT_NEAR(std::remainder(apart - 0.048, width), 0.0, 1e-7) << i;
     EXPECT_NEAR(b->position[i].y, a->position[i].y, 1e-7) << i;
     EXPECT_NEAR(b->velocity[i].x, a->velocity[i].x, 1e-5) << i;
+    EXPECT_NEAR(b->temperature[i], a->temperature[i], 1e-3) << i;
+    coldest = std::min(coldest, a->temperature[i]);
     moved = std::max(moved, static_cast<double>(std::abs(a->velocity[i].x)));
   }
   EXPECT_GT(moved, 0.05);
+  EXPECT_LT(coldest, 345.0f);
   for (int row = 0; row < 27; ++row)
     for (int column = 0; column < 8; ++column) {
       const int from = row * 8 + column, to = row * 8 + (column + 4) % 8;
       EXPECT_NEAR(b->gas.voidage[to], a->gas.voidage[from], 1e-6);
       EXPECT_NEAR(b->gas.velocity[to].x, a->gas.velocity[from].x, 1e-5);
+      EXPECT_NEAR(b->gas.temperature[to], a->gas.temperature[from], 1e-3);
       EXPECT_NEAR(b->gas.pressure[to], a->gas.pressure[from], 1e-3);
     }
 }
