@@ -31,9 +31,11 @@ class CellOrder {
 
   /// Calls visit(k, sameStrip, nextStrip) for the particles `k` in `range` of the order, ascending, with the
   /// ranges of those behind it in the order that may be within reach, each pair of particles once.
-  /// Where places repeat, visit(k, sameStrip, nextStrip, lastStrip).
-  template <bool repeats = false, class Visit>
+  template <class Visit>
   void forNeighbours(Range range, Visit&& visit) const;
+  /// The same where places repeat: visit(k, sameStrip, nextStrip, lastStrip).
+  template <class Visit>
+  void forNeighboursAround(Range range, Visit&& visit) const;
 
  private:
   double size_, period_;
@@ -42,28 +44,33 @@ class CellOrder {
   std::vector<std::int32_t> start_;  // of each cell in the order, and one past the last
 };
 
-template <bool repeats, class Visit>
+template <class Visit>
 void CellOrder::forNeighbours(Range range, Visit&& visit) const {
   for (std::size_t k = range.begin; k < range.end;) {
     const std::int32_t cell = cellOf_[k], strip = cell / perStrip_, place = cell % perStrip_;
     const std::int32_t above = place + 1 < perStrip_ ? 1 : 0, below = place > 0 ? 1 : 0;
     const auto cellEnd = static_cast<std::size_t>(start_[cell + 1]);
     const auto sameEnd = static_cast<std::size_t>(start_[cell + 1 + above]);
-    const auto besideIn = [&](std::int32_t other) {
-      const std::int32_t beside = other * perStrip_ + place;
-      return Range{static_cast<std::size_t>(start_[beside - below]),
-                   static_cast<std::size_t>(start_[beside + above + 1])};
-    };
-    Range next{0, 0}, last{0, 0};
-    if (strip + 1 < strips_) next = besideIn(strip + 1);
-    if (repeats && strip == 0) last = besideIn(strips_ - 1);
-    for (; k < std::min(cellEnd, range.end); ++k) {
-      if constexpr (repeats)
-        visit(k, Range{k + 1, sameEnd}, next, last);
-      else
-        visit(k, Range{k + 1, sameEnd}, next);
-    }
+    Range next{0, 0};
+    if (strip + 1 < strips_)
+      next = {static_cast<std::size_t>(start_[cell + perStrip_ - below]),
+              static_cast<std::size_t>(start_[cell + perStrip_ + above + 1])};
+    for (; k < std::min(cellEnd, range.end); ++k) visit(k, Range{k + 1, sameEnd}, next);
   }
+}
+
+template <class Visit>
+void CellOrder::forNeighboursAround(Range range, Visit&& visit) const {
+  forNeighbours(range, [&](std::size_t k, Range same, Range next) {
+    const std::int32_t cell = cellOf_[k], place = cell % perStrip_;
+    Range last{0, 0};
+    if (cell < perStrip_) {
+      const std::int32_t other = (strips_ - 1) * perStrip_ + place;
+      last = {static_cast<std::size_t>(start_[place > 0 ? other - 1 : other]),
+              static_cast<std::size_t>(start_[place + 1 < perStrip_ ? other + 2 : other + 1])};
+    }
+    visit(k, same, next, last);
+  });
 }
 
 }  // namespace bedmix

@@ -48,6 +48,47 @@ std::size_t contactBlocks(const Scene& scene, std::size_t particles) {
   return std::max<std::size_t>(1, static_cast<std::size_t>(static_cast<double>(particles) / size));
 }
 
+/// Pairs of a block's particles, and of them and those of later blocks, that are within `reach`, m.
+template <bool repeats>
+void findPairs(const CellOrder& order, const Period& period, double reach, const HistoryColumns& columns,
+               const std::vector<Body>& bodies, ContactBlock& block) {
+  std::vector<ContactBlock::Pair>& inside = block.candidates;
+  ContactSlots& crossing = block.crossing;
+  std::size_t& count = block.candidateCount;
+  count = 0;
+  crossing.count = 0;
+  const auto scan = [&](std::size_t i, Range others) {
+    const Range here{others.begin, std::min(others.end, block.particles.end)};
+    if (here.begin < here.end && count + here.size() > inside.size())
+      atLeast(inside, inside.size() + here.size() + block.particles.size() / 8);
+    for (std::size_t j = here.begin; j < here.end; ++j) {
+      Vec2 apart = bodies[j].position - bodies[i].position;
+      if constexpr (repeats) apart = period.nearest(apart);
+      inside[count] = {static_cast<std::int32_t>(i), static_cast<std::int32_t>(j)};
+      count += static_cast<std::size_t>(dot(apart, apart) < reach * reach);
+    }
+    for (std::size_t j = std::max(others.begin, block.particles.end); j < others.end; ++j) {
+      Vec2 apart = bodies[j].position - bodies[i].position;
+      if constexpr (repeats) apart = period.nearest(apart);
+      if (!(dot(apart, apart) < reach * reach)) continue;
+      crossing.reserve(crossing.count + 1 + crossing.count / 2, true, columns);
+      crossing.first[crossing.count] = static_cast<std::int32_t>(i);
+      crossing.second[crossing.count++] = static_cast<std::int32_t>(j);
+    }
+  };
+  if constexpr (repeats)
+    order.forNeighboursAround(block.particles,
+                              [&](std::size_t i, auto... ranges) { (scan(i, ranges), ...); });
+  else
+    order.forNeighbours(block.particles, [&](std::size_t i, Range sameStrip, Range nextStrip) {
+      scan(i, sameStrip);
+      scan(i, nextStrip);
+    });
+  crossing.reserve(crossing.count, true, columns);
+  crossing.pad(static_cast<std::int32_t>(block.particles.begin));
+  atLeast(block.crossingLoads, crossing.count + vector);
+}
+
 }  // namespace
 
 HistoryColumns::HistoryColumns(const Scene& scene) : friction(scene.contacts.friction.has_value()) {
@@ -166,7 +207,8 @@ void ContactList::recall(ContactSlots& slots, std::int32_t wall) const {
 void ContactList::find(std::size_t b, double innerSkin, const std::vector<Body>& bodies,
                        ContactSlots& spare) {
   ContactBlock& block = blocks_[b];
-  period_.isOn() ? findPairs<true>(block, bodies) : findPairs<false>(block, bodies);
+  const auto find = period_.isOn() ? &findPairs<true> : &findPairs<false>;
+  find(order_, period_, diameter_ + skin_, columns_, bodies, block);
   findWalls(block, bodies);
   for (std::size_t i = block.particles.begin; i < block.particles.end; ++i) built_[i] = bodies[i].position;
 
@@ -178,42 +220,6 @@ void ContactList::find(std::size_t b, double innerSkin, const std::vector<Body>&
   recall(block.near, 0);
   recall(block.crossing, 0);
   for (ContactBlock::AtWall& w : block.walls) recall(w.slots, -1 - static_cast<std::int32_t>(w.wall));
-}
-
-template <bool repeats>
-void ContactList::findPairs(ContactBlock& block, const std::vector<Body>& bodies) {
-  const double reach = diameter_ + skin_;
-  const auto between = [&](std::size_t i, std::size_t j) {
-    const Vec2 apart = bodies[j].position - bodies[i].position;
-    return repeats ? period_.nearest(apart) : apart;
-  };
-  std::vector<ContactBlock::Pair>& inside = block.candidates;
-  ContactSlots& crossing = block.crossing;
-  std::size_t& count = block.candidateCount;
-  count = 0;
-  crossing.count = 0;
-  const auto scan = [&](std::size_t i, Range others) {
-    const Range here{others.begin, std::min(others.end, block.particles.end)};
-    if (here.begin < here.end && count + here.size() > inside.size())
-      atLeast(inside, inside.size() + here.size() + block.particles.size() / 8);
-    for (std::size_t j = here.begin; j < here.end; ++j) {
-      const Vec2 apart = between(i, j);
-      inside[count] = {static_cast<std::int32_t>(i), static_cast<std::int32_t>(j)};
-      count += static_cast<std::size_t>(dot(apart, apart) < reach * reach);
-    }
-    for (std::size_t j = std::max(others.begin, block.particles.end); j < others.end; ++j) {
-      const Vec2 apart = between(i, j);
-      if (!(dot(apart, apart) < reach * reach)) continue;
-      crossing.reserve(crossing.count + 1 + crossing.count / 2, true, columns_);
-      crossing.first[crossing.count] = static_cast<std::int32_t>(i);
-      crossing.second[crossing.count++] = static_cast<std::int32_t>(j);
-    }
-  };
-  const auto scanAll = [&](std::size_t i, auto... ranges) { (scan(i, ranges), ...); };
-  order_.forNeighbours<repeats>(block.particles, scanAll);
-  crossing.reserve(crossing.count, true, columns_);
-  crossing.pad(static_cast<std::int32_t>(block.particles.begin));
-  atLeast(block.crossingLoads, crossing.count + vector);
 }
 
 void ContactList::findWalls(ContactBlock& block, const std::vector<Body>& bodies) {

@@ -150,8 +150,6 @@ class ContactList {
 
  private:
   void rememberContacts();
-  template <bool repeats>
-  void findPairs(ContactBlock& block, const std::vector<Body>& bodies);
   void findWalls(ContactBlock& block, const std::vector<Body>& bodies);
   template <class IsNear>
   void findAtWall(const ContactBlock& block, ContactSlots& slots, IsNear&& isNear) const;

@@ -22,13 +22,19 @@ class BandSolver {
   void solve(const std::vector<double>& b, std::vector<double>& p);
 
  private:
+  template <bool around>
   std::size_t unknown(int i, int j) const {
-    return columnPlace_[static_cast<std::size_t>(i)] + static_cast<std::size_t>(j) * rowStep_;
+    const auto column = static_cast<std::size_t>(i);
+    return (around ? columnPlace_[column] : column) * columnStep_ + static_cast<std::size_t>(j) * rowStep_;
   }
+  template <bool around>
+  void fill(const std::vector<double>& conductance);
+  template <bool around>
+  void solveFor(const std::vector<double>& b, std::vector<double>& p);
 
   const FaceLayout& layout_;
-  std::size_t rowStep_, width_;
-  std::vector<std::size_t> columnPlace_;  // of each column's first unknown
+  std::size_t columnStep_, rowStep_, width_;
+  std::vector<std::size_t> columnPlace_;  // among columns, where sides are periodic
   std::size_t blocks_;                    // of four unknowns
   std::size_t rowLength_;         // of the band's rows, which begin with the column their block begins with
   std::vector<double> band_;      // rows of the upper triangle: of A, then of L^T
