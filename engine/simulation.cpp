@@ -5,6 +5,7 @@
 #include "engine/core/hash.h"
 #include "engine/core/inlet_flow.h"
 #include "engine/core/particle_list.h"
+#include "engine/core/period.h"
 #include "engine/core/walls.h"
 #include "engine/coupling/exchange.h"
 #include "engine/coupling/gas_step.h"
@@ -450,6 +451,7 @@ const StepReport& Simulation::report() const { return state_->report; }
 FramePtr Simulation::frame() const {
   const State& s = *state_;
   const Particles& p = s.solver->particles();
+  const Period period(s.scene);
   auto frame = std::make_shared<Frame>();
   frame->step = s.step;
   frame->time = time();
@@ -463,7 +465,7 @@ FramePtr Simulation::frame() const {
   frame->angularVelocity.resize(p.spin.size());
   for (std::size_t i = 0; i < p.size(); ++i) {
     const std::size_t row = roster.rowOf(p.id[i]);
-    frame->position[row] = toFloat(p.position[i]);
+    frame->position[row] = period.rounded(p.position[i]);
     frame->velocity[row] = toFloat(p.velocity[i]);
     if (!p.spin.empty()) frame->angularVelocity[row] = static_cast<float>(p.spin[i]);
     if (!p.areMixed()) continue;

@@ -2,6 +2,7 @@
 #include "render/draw_forces.h"
 
 #include "engine/core/particle_list.h"
+#include "engine/core/period.h"
 #include "engine/core/walls.h"
 #include "render/scales.h"
 #include "render/shapes.h"
@@ -63,12 +64,25 @@ std::vector<FrameContact> contactsOf(const Frame& frame, const Scene& scene) {
     const double effective = radius(i) * radius(j) / (radius(i) + radius(j));
     contacts.push_back({a, b, elasticForce(scene, overlap, effective)});
   };
-  const auto addPairs = [&](std::uint32_t i, std::uint32_t from, int row, int column) {
-    if (row >= cells.rows || column < 0 || column >= cells.columns) return;
+  const Period period(scene);
+  const auto addAcross = [&](std::uint32_t i, std::uint32_t j) {
+    const Vec2 a = toDouble(frame.position[i]), b = toDouble(frame.position[j]),
+               apart = period.nearest(b - a);
+    const double overlap = radius(i) + radius(j) - norm(apart);
+    if (apart == b - a || overlap <= 0.0) return;
+    const double force = elasticForce(scene, overlap, radius(i) * radius(j) / (radius(i) + radius(j)));
+    contacts.push_back({frame.position[i], toFloat(a + apart), force});  // at either side
+    contacts.push_back({toFloat(b - apart), frame.position[j], force});
+  };
+  const auto forCell = [&](int row, int column, std::uint32_t from, const auto& visit) {
+    if (row < 0 || row >= cells.rows || column < 0 || column >= cells.columns) return;
     const std::size_t cell = static_cast<std::size_t>(row) * static_cast<std::size_t>(cells.columns) +
                              static_cast<std::size_t>(column);
     for (std::uint32_t k = std::max(from, cells.first[cell]); k < cells.first[cell + 1]; ++k)
-      addPair(i, cells.order[k]);
+      visit(cells.order[k]);
+  };
+  const auto addPairs = [&](std::uint32_t i, std::uint32_t from, int row, int column) {
+    forCell(row, column, from, [&](std::uint32_t j) { addPair(i, j); });
   };
   for (std::uint32_t k = 0; k < cells.order.size(); ++k) {
     const std::uint32_t i = cells.order[k];
@@ -78,6 +92,10 @@ std::vector<FrameContact> contactsOf(const Frame& frame, const Scene& scene) {
     addPairs(i, k + 1, row, column);  // each pair once: what comes later here, then to the right and above
     addPairs(i, 0, row, column + 1);
     for (int side = -1; side <= 1; ++side) addPairs(i, 0, row + 1, column + side);
+    if (period.isOn() && column == 0)  // the last column may be narrower than a diameter
+      for (int other = row - 1; other <= row + 1; ++other)
+        for (int last = cells.columns - 2; last < cells.columns; ++last)
+          forCell(other, last, 0, [&](std::uint32_t j) { addAcross(i, j); });
     for (const WallSegment& wall : walls) {
       const Vec2 touched = nearestOn(wall, toDouble(at));
       const double overlap = radius(i) - norm(touched - toDouble(at));

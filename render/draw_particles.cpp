@@ -7,6 +7,7 @@
 #include "render/shapes.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace bedmix {
 
@@ -26,12 +27,21 @@ void addDiscs(DrawList& list, const BedView& view, const ColorOf& colorOf) {
       std::any_of(fieldLayers.begin(), fieldLayers.end(), [&](Layer l) { return layers.has(l); });
   const float ofAll = view.camera.length(0.5 * view.scene.particles.diameter);
   const std::vector<float>& radii = view.frame.radius;
+  const bool repeats = view.scene.bed.sides == BedSides::periodic;
+  const float left = view.camera.toPixel(Vec2{0.0, 0.0}).x, width = view.camera.length(view.scene.bed.width);
   for (std::size_t i = 0; i < view.frame.size(); ++i) {
     const float radius = radii.empty() ? ofAll : view.camera.length(static_cast<double>(radii[i]));
+    const auto add = [&](Vec2f at) {
+      if (isOutside(list.clip, at, radius)) return;
+      if (rim) list.discs.push_back({at, radius, view.palette.ground});
+      list.discs.push_back({at, rim ? 0.8f * radius : radius, colorOf(i)});
+    };
     const Vec2f at = view.camera.toPixel(view.frame.position[i]);
-    if (isOutside(list.clip, at, radius)) continue;
-    if (rim) list.discs.push_back({at, radius, view.palette.ground});
-    list.discs.push_back({at, rim ? 0.8f * radius : radius, colorOf(i)});
+    add(at);
+    if (!repeats) continue;
+    // Who hangs over one side comes in at the other.
+    if (at.x - radius < left) add({at.x + width, at.y});
+    if (at.x + radius > left + width) add({at.x - width, at.y});
   }
 }
 
@@ -98,11 +108,15 @@ void drawParticles(DrawList& list, const BedView& view, const History& history) 
 void drawTrails(DrawList& list, const BedView& view, const History& history) {
   const float width = std::max(1.5f, view.camera.length(0.45 * view.scene.particles.diameter));
   const float dot = view.camera.length(0.7 * view.scene.particles.diameter);
+  const bool repeats = view.scene.bed.sides == BedSides::periodic;
+  const auto half = static_cast<float>(0.5 * view.scene.bed.width);
   const std::size_t first = list.lines.size();
   for (std::size_t n = 0; n < history.trails(); ++n) {
     const std::span<const History::Point> trail = history.trail(n);
     Rgba color = trailColors[n % trailColors.size()];
     for (std::size_t i = 1; i < trail.size(); ++i) {
+      // It went out at one side and came in at the other.
+      if (repeats && std::abs(trail[i].position.x - trail[i - 1].position.x) > half) continue;
       const double age = trail.back().time - trail[i].time;
       const float share = 1.0f - 0.8f * static_cast<float>(age / view.style.trailTime);
       list.lines.push_back({view.camera.toPixel(trail[i - 1].position),

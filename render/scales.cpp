@@ -26,6 +26,8 @@ ColorRange temperatureRange(const Scene& scene) {
   };
   for (const auto& one : {heat.tracerTemperature, heat.wallTemperature})
     if (one) include(*one);
+  if (const FeedSettings* feed = scene.effects.find<FeedSettings>())
+    for (const FeedStream& stream : feed->streams) include(stream.temperature.value_or(heat.temperature));
   if (heat.gas) {
     include(heat.gas->temperature);
     include(heat.inletTemperature());

@@ -71,7 +71,8 @@ void writeHeader(const Hdf5Output& out, const Scene& scene, const Provenance& pr
   out.number("parameters/seed", scene.seed);
 
   out.attribute(layout::box, "dimension", dimension);
-  out.attribute(layout::box, "boundary", {"none", "none"});
+  out.attribute(layout::box, "boundary",
+                {scene.bed.sides == BedSides::periodic ? "periodic" : "none", "none"});
   out.fixed<double>(layout::box + std::string("/edges"), std::array{scene.bed.width, scene.bed.height});
 }
 

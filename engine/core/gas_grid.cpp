@@ -29,6 +29,7 @@ GasGrid makeGasGrid(const Scene& scene) {
   grid.columns = static_cast<int>(grid.x.size()) - 1;
   grid.rows = static_cast<int>(grid.y.size()) - 1;
   grid.thickness = scene.bed.thickness;
+  grid.repeats = scene.bed.sides == BedSides::periodic;
   for (int c = 0; c < grid.columns; ++c) {
     const double left = grid.x[c], right = grid.x[c + 1];
     const double floor = floorHeight(scene, 0.5 * (left + right));

@@ -21,6 +21,7 @@ struct GasGrid {
   std::vector<double>
       inletFlux;           // per column: superficial velocity through its floor, m/s (mean over the column)
   double thickness = 0.0;  // m
+  bool repeats = false;    // sides are periodic: the last column is the first one's neighbour
   /// Per cell, where there are obstacles, else empty: of an open cell itself, of a blocked one the nearest
   /// open cell.
   std::vector<std::int32_t> openCell;
@@ -42,6 +43,8 @@ struct GasGrid {
     if (openCell.empty()) return cell(column, std::max(row, lowestRow[static_cast<std::size_t>(column)]));
     return static_cast<std::size_t>(openCell[cell(column, row)]);
   }
+  /// The column that stands here where sides are periodic.
+  int columnAround(int column) const { return (column + columns) % columns; }
   double dx(int column) const {
     return x[static_cast<std::size_t>(column) + 1] - x[static_cast<std::size_t>(column)];
   }

@@ -39,6 +39,7 @@ std::vector<std::uint8_t> connectedToTop(const GasGrid& grid, const std::vector<
   std::vector<std::uint8_t> connected(blocked.size(), 0);
   std::queue<std::pair<int, int>> front;
   const auto reach = [&](int i, int j) {
+    if (grid.repeats) i = grid.columnAround(i);
     if (i < 0 || i >= grid.columns || j < 0 || j >= grid.rows) return;
     const std::size_t cell = grid.cell(i, j);
     if (blocked[cell] != 0 || connected[cell] != 0) return;

@@ -51,9 +51,10 @@ constexpr std::array indices{
                 "Shannon (1948), Bell Syst. Tech. J. 27:379; conditional on place as in Camesasca, Kaufman & "
                 "Manas-Zloczower (2006), Macromol. Theory Simul. 15:595",
                 "cells", ofCells<entropy>},
-    MixingIndex{"nearest_neighbour", "unlike among the 6 nearest/(2 p (1-p) N/(N-1)), all particles",
-                "Godlieb, Deen & Kuipers (2007), 6th Int. Conf. Multiphase Flow, Leipzig", "positions",
-                [](const MixingState& state) { return neighbourIndex(state.frame); }},
+    MixingIndex{
+        "nearest_neighbour", "unlike among the 6 nearest/(2 p (1-p) N/(N-1)), all particles",
+        "Godlieb, Deen & Kuipers (2007), 6th Int. Conf. Multiphase Flow, Leipzig", "positions",
+        [](const MixingState& state) { return neighbourIndex(state.frame, planeNeighbours, state.period); }},
     MixingIndex{"gmmi_x", "mean x of the tracer/mean x of all",
                 "Asmar, Langston & Matchett (2002), Granular Matter 4:129", "positions",
                 [](const MixingState& state) { return meanPositionIndex(state.frame).x; }},

@@ -3,6 +3,7 @@
 
 #include "engine/core/frame.h"
 #include "engine/core/mixing.h"
+#include "engine/core/period.h"
 #include "engine/core/start_correlation.h"
 
 #include <optional>
@@ -16,6 +17,7 @@ struct MixingState {
   const Frame& frame;
   const CellStatistics& cells;
   const StartCorrelation& start;
+  Period period = {};
 };
 
 /// One index of mixing: what tables call it, how it is computed, where it comes from and what it needs.

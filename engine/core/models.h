@@ -36,6 +36,8 @@ enum class GasScheme { projection, simple };
 enum class TimeScheme { crankNicolson, implicitEuler };
 /// What particles meet at the upper end of the bed.
 enum class BedTop { open, lid };
+/// What particles and gas meet at the left and right end of the bed.
+enum class BedSides { walls, periodic };
 /// How particles see an inclined distributor.
 enum class FloorShape { straight, stair };
 /// What stands in the bed.
@@ -134,6 +136,12 @@ inline constexpr std::array modelTable<BedTop>{
     ModelInfo{"open", "particles may rise above the gas grid and fall back; coupling tapers to zero there",
               ""},
     ModelInfo{"lid", "a wall for particles at the bed's height that lets the gas through", ""},
+};
+template <>
+inline constexpr std::array modelTable<BedSides>{
+    ModelInfo{"walls", "side walls, at which the gas does not slip", ""},
+    ModelInfo{"periodic", "none: what leaves the bed at one side comes in at the other",
+              "minimum image: Allen & Tildesley (1987), Computer Simulation of Liquids, section 1.5.2"},
 };
 template <>
 inline constexpr std::array modelTable<FloorShape>{

@@ -11,6 +11,7 @@ namespace {
 struct Point {
   Vec2 at;
   bool tracer = false;
+  bool isImage = false;
 };
 
 /// Points by square cells over the box that holds all but the outermost hundredth on each side; those outside
@@ -99,7 +100,7 @@ struct Unlike {
 
 }  // namespace
 
-std::optional<double> neighbourIndex(const Frame& frame, int neighbours) {
+std::optional<double> neighbourIndex(const Frame& frame, int neighbours, const Period& period) {
   std::vector<Point> points;
   std::int64_t tracer = 0;
   for (std::size_t i = 0; i < frame.size(); ++i) {
@@ -111,6 +112,12 @@ std::optional<double> neighbourIndex(const Frame& frame, int neighbours) {
   const auto n = static_cast<std::int64_t>(points.size());
   if (tracer == 0 || tracer == n) return std::nullopt;
   const std::size_t k = static_cast<std::size_t>(std::min<std::int64_t>(neighbours, n - 1));
+  if (period.isOn())
+    for (std::int64_t i = 0; i < 2 * n; ++i) {
+      const Point p = points[static_cast<std::size_t>(i / 2)];
+      const double shift = i % 2 == 0 ? -period.length : period.length;
+      points.push_back({{p.at.x + shift, p.at.y}, p.tracer, true});
+    }
 
   struct Near {
     double squared;  // distance, m2
@@ -120,9 +127,12 @@ std::optional<double> neighbourIndex(const Frame& frame, int neighbours) {
   std::vector<Near> near;
   Unlike unlike;
   for (const Point& p : cells.points()) {
+    if (p.isImage) continue;
     near.clear();
     const auto look = [&](const Point& q) {
       const Vec2 apart = q.at - p.at;
+      // Of the images of a point the nearest.
+      if (period.isOn() && !(-0.5 * period.length <= apart.x && apart.x < 0.5 * period.length)) return;
       if (&q != &p) near.push_back({dot(apart, apart), q.tracer != p.tracer});
     };
     cells.forRing(p.at, 0, look);

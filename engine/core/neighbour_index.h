@@ -2,6 +2,7 @@
 #pragma once
 
 #include "engine/core/frame.h"
+#include "engine/core/period.h"
 
 #include <optional>
 
@@ -15,7 +16,8 @@ inline constexpr int planeNeighbours = 6;
 /// random, 2 p (1-p) N/(N-1) of them: exactly 1 on average for any positions and any tracer fraction p (as
 /// printed, for p = 1/2, twice the fraction). Particles at one distance share the last places, so that no
 /// order decides. About O(N). Empty where there is only one species; particles not at finite positions are
-/// left out.
-std::optional<double> neighbourIndex(const Frame& frame, int neighbours = planeNeighbours);
+/// left out. With periodic sides distances are those of the nearest images.
+std::optional<double> neighbourIndex(const Frame& frame, int neighbours = planeNeighbours,
+                                     const Period& period = {});
 
 }  // namespace bedmix

@@ -23,6 +23,7 @@ struct BedSettings {
   double height = 0.42;      // m
   double thickness = 0.004;  // m
   BedTop top = BedTop::open;
+  BedSides sides = BedSides::walls;
 };
 
 /// The floor moves by amplitude sin(2 pi frequency t), upward.

@@ -15,6 +15,7 @@ void describe(BedSettings& s, V& visit) {
   visit(Key{"height", "m", positive, "height of the gas grid"}, s.height);
   visit(Key{"thickness", "m", positive, "depth of the slab, at least a particle's diameter"}, s.thickness);
   visit(Key{"top", "", {}, "what particles meet at the upper end"}, s.top);
+  visit(Key{"sides", "", {}, "what particles and gas meet at the left and right end"}, s.sides);
 }
 
 template <class V>

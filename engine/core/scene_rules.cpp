@@ -2,6 +2,7 @@
 #include "engine/core/obstacle_rules.h"
 #include "engine/core/particle_list.h"
 #include "engine/core/scene_reader.h"
+#include "engine/core/sides_rules.h"
 
 #include <fmt/format.h>
 
@@ -36,6 +37,7 @@ class Rules {
     time();
     if (scene_.gas) gas(*scene_.gas);
     if (broken_.empty()) addAll(obstacleContradictions(scene_));
+    if (broken_.empty()) addAll(sidesContradictions(scene_));
     if (scene_.flux) flux(*scene_.flux);
     scene_.effects.forEach([&]([[maybe_unused]] const Key& table, const auto& settings) {
       if (settings) addAll(contradictions(scene_, *settings));

@@ -31,16 +31,26 @@ std::vector<Vec2> floorLine(const Scene& scene) {
   return line;
 }
 
+void vibrate(WallSegment& floor, const VibrationSettings& vibration) {
+  floor.amplitude = vibration.amplitude;
+  floor.angularFrequency = 2.0 * std::numbers::pi * vibration.frequency;
+}
+
 /// The floor moves between the side walls, the first of the walls and the first of the last `behindFloor`;
 /// these go down as far as it does.
 void vibrate(std::vector<WallSegment>& walls, const VibrationSettings& vibration, std::size_t behindFloor) {
   WallSegment &left = walls.front(), &right = walls[walls.size() - behindFloor];
   left.b.y -= vibration.amplitude;
   right.a.y -= vibration.amplitude;
-  for (std::size_t w = 1; w + behindFloor < walls.size(); ++w) {
-    walls[w].amplitude = vibration.amplitude;
-    walls[w].angularFrequency = 2.0 * std::numbers::pi * vibration.frequency;
-  }
+  for (std::size_t w = 1; w + behindFloor < walls.size(); ++w) vibrate(walls[w], vibration);
+}
+
+/// Floor and lid from x = from to x = to, m, of a bed without side walls.
+std::vector<WallSegment> wallsWithoutSides(const Scene& scene, double from, double to) {
+  std::vector<WallSegment> walls{{{from, 0.0}, {to, 0.0}}};
+  if (const auto& vibration = scene.floor.vibration) vibrate(walls.front(), *vibration);
+  if (scene.bed.top == BedTop::lid) walls.push_back({{to, scene.bed.height}, {from, scene.bed.height}});
+  return walls;
 }
 
 }  // namespace
@@ -67,6 +77,7 @@ std::vector<WallSegment> bedWalls(const Scene& scene) {
   const bool lid = scene.bed.top == BedTop::lid;
   const double top = lid ? scene.bed.height : scene.bed.height + farAbove;
   const double width = scene.bed.width;
+  if (scene.bed.sides == BedSides::periodic) return wallsWithoutSides(scene, 0.0, width);
 
   std::vector<Vec2> chain{{0.0, top}};
   for (const Vec2& p : floorLine(scene)) chain.push_back(p);
@@ -109,7 +120,9 @@ bool hasDrum(const Scene& scene) {
 }
 
 std::vector<WallSegment> allWalls(const Scene& scene) {
-  std::vector<WallSegment> walls = bedWalls(scene);
+  const double width = scene.bed.width;
+  std::vector<WallSegment> walls =
+      scene.bed.sides == BedSides::periodic ? wallsWithoutSides(scene, -width, 2.0 * width) : bedWalls(scene);
   const std::vector<WallSegment> obstacles = obstacleWalls(scene);
   walls.insert(walls.end(), obstacles.begin(), obstacles.end());
   return walls;

@@ -30,7 +30,7 @@ WallSegment wallAt(const WallSegment& wall, double time);
 Vec2 nearestOn(const WallSegment& wall, Vec2 p);
 
 /// Left wall, floor (flat, incline or stair), right wall and, with `top = "lid"`, the lid. With an open top
-/// the side walls go on far above anything a particle reaches.
+/// the side walls go on far above anything a particle reaches; with periodic sides there are none.
 std::vector<WallSegment> bedWalls(const Scene& scene);
 
 /// What stands in the bed. An end that two segments share belongs to the first of them.
@@ -39,7 +39,8 @@ std::vector<WallSegment> obstacleWalls(const Scene& scene);
 /// Whether particles are in a drum.
 bool hasDrum(const Scene& scene);
 
-/// All that particles meet.
+/// All that particles meet. With periodic sides floor and lid go on beyond them, for particles that hang
+/// over.
 std::vector<WallSegment> allWalls(const Scene& scene);
 
 }  // namespace bedmix

@@ -30,15 +30,23 @@ CouplingGrid::CouplingGrid(const Scene& scene, const GasGrid& gasGrid)
       cellOwner_.push_back(static_cast<std::int32_t>(point(cellOf({column, row}))));
 }
 
+std::int32_t CouplingGrid::columnOf(Place point) const {
+  if (gas_.repeats) return gas_.columnAround(point.i - 1);
+  return std::clamp(point.i - 1, 0, x.cells - 1);
+}
+
 CouplingGrid::Place CouplingGrid::cellOf(Place point) const {
-  const std::int32_t i = std::clamp(point.i - 1, 0, x.cells - 1);
+  const std::int32_t i = columnOf(point);
   const auto cell = static_cast<std::int32_t>(gas_.openCellFor(i, std::clamp(point.j - 1, 0, y.cells - 1)));
   return {cell % x.cells, cell / x.cells};
 }
 
 CouplingGrid::Place CouplingGrid::uprightFaceOf(Place point) const {
-  const std::int32_t i = std::min(point.i, x.cells), left = std::max(i - 1, 0),
-                     right = std::min(i, x.cells - 1);
+  std::int32_t i = std::min(point.i, x.cells), left = std::max(i - 1, 0), right = std::min(i, x.cells - 1);
+  if (gas_.repeats) {
+    i = right = point.i % x.cells;
+    left = gas_.columnAround(i - 1);
+  }
   const std::int32_t j =
       std::clamp(point.j - 1, std::min(gas_.lowestRow[left], gas_.lowestRow[right]), y.cells - 1);
   if (gas_.open(left, j) || gas_.open(right, j)) return {i, j};
@@ -48,7 +56,7 @@ CouplingGrid::Place CouplingGrid::uprightFaceOf(Place point) const {
 }
 
 CouplingGrid::Place CouplingGrid::levelFaceOf(Place point) const {
-  const std::int32_t i = std::clamp(point.i - 1, 0, x.cells - 1);
+  const std::int32_t i = columnOf(point);
   const std::int32_t j = std::clamp(point.j, gas_.lowestRow[i], y.cells);
   if (gas_.open(i, std::max(j - 1, 0)) || gas_.open(i, std::min(j, y.cells - 1))) return {i, j};
   const Place cell = cellOf({point.i, j + 1});
@@ -56,8 +64,8 @@ CouplingGrid::Place CouplingGrid::levelFaceOf(Place point) const {
 }
 
 Range CouplingGrid::columnsOf(const ThreadTeam& team, int member) const {
-  // Around obstacles owners may be in other columns.
-  if (!gas_.openCell.empty()) return {0, member == 0 ? static_cast<std::size_t>(stride) : 0};
+  // Around obstacles, and of ghosts where sides are periodic, owners may be in other columns.
+  if (!gas_.openCell.empty() || gas_.repeats) return {0, member == 0 ? static_cast<std::size_t>(stride) : 0};
   const auto all = static_cast<std::size_t>(x.cells);
   Range part = team.share(all, member);
   if (part.begin == part.end) return part;

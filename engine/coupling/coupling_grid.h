@@ -18,7 +18,8 @@ namespace bedmix {
 /// row: cell (i, j) is the point in column i + 1 and row j + 1, upright face (i, j) that in (i, j + 1), level
 /// face (i, j) that in (i + 1, j). Each point has an owner whose values it has and that gets what is given to
 /// it: itself, or, for a ghost beyond the walls or below the distributor, the wall's cell or face or the
-/// lowest open one of its column; where there are obstacles, for one in a blocked cell the nearest.
+/// lowest open one of its column; where there are obstacles, for one in a blocked cell the nearest. Beyond
+/// sides that are periodic it is the cell or face at the other side.
 class CouplingGrid {
  public:
   /// `gasGrid` must outlive this.
@@ -38,8 +39,8 @@ class CouplingGrid {
     const std::int32_t number = (cell.j + 1) * stride + cell.i + 1;
     return static_cast<std::size_t>(number);
   }
-  /// A member's part of the points' columns, of which with obstacles the first has all. Owners in different
-  /// parts are different, too.
+  /// A member's part of the points' columns, of which with obstacles or periodic sides the first has all.
+  /// Owners in different parts are different, too.
   Range columnsOf(const ThreadTeam& team, int member) const;
   /// Calls visit(point) for the points in a part of the columns.
   template <class Visit>
@@ -67,6 +68,9 @@ class CouplingGrid {
   double taperShift = 1.0, taperSlope = 0.0;
 
  private:
+  /// Of the cells, that a point is in.
+  std::int32_t columnOf(Place point) const;
+
   const GasGrid& gas_;
   std::vector<std::int32_t> cellOwner_;  // per point
 };

@@ -26,13 +26,18 @@ Exchange::Exchange(const Scene& scene, const GasSolver& gas, const VoidageField&
       levelFace_.push_back(gas.layout().vFace(level.i, level.j));
     }
   const GasGrid& g = gas.grid();
+  const auto open = [&g](int i, int j) {
+    if (g.repeats) i = g.columnAround(i);
+    return i >= 0 && i < g.columns && g.open(i, j);
+  };
   for (int j = 0; j < g.rows; ++j)
     for (int i = 0; i < g.columns; ++i) {
-      across_.push_back(weights(i > 0 && g.open(i - 1, j), i + 1 < g.columns && g.open(i + 1, j)));
+      across_.push_back(weights(open(i - 1, j), open(i + 1, j)));
       up_.push_back(weights(j > 0 && g.open(i, j - 1), j + 1 == g.rows || g.open(i, j + 1)));
     }
   perDistanceX_.assign(g.x.size(), 0.0);
   for (int i = 1; i < g.columns; ++i) perDistanceX_[i] = 2.0 / (g.dx(i - 1) + g.dx(i));
+  if (g.repeats) perDistanceX_.front() = perDistanceX_.back() = 2.0 / (g.dx(0) + g.dx(g.columns - 1));
   perDistanceY_.assign(g.y.size(), 0.0);
   for (int j = 1; j < g.rows; ++j) perDistanceY_[j] = 2.0 / (g.dy(j - 1) + g.dy(j));
   perDistanceY_[g.rows] = 2.0 / g.dy(g.rows - 1);
@@ -57,6 +62,9 @@ void Exchange::copyPressure(Range rows) {
     const auto j = static_cast<std::int32_t>(row);
     std::copy_n(gas_.fields().pressure.begin() + static_cast<std::ptrdiff_t>(gas_.grid().cell(0, j)), columns,
                 pressure_.begin() + static_cast<std::ptrdiff_t>(grid_.point({0, j})));
+    if (!gas_.grid().repeats) continue;
+    pressure_[grid_.point({-1, j})] = pressure_[grid_.point({gas_.grid().columns - 1, j})];
+    pressure_[grid_.point({gas_.grid().columns, j})] = pressure_[grid_.point({0, j})];
   }
 }
 

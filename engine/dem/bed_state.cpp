@@ -45,6 +45,7 @@ double BedState::fastestWall() const {
 
 // Loads are about to be evaluated anew; until then they lend their memory.
 bool BedState::sort() {
+  comeIn([this](std::size_t i) { return bodies[i].position; });
   if (!contacts.sort(bodies)) return false;
   const std::vector<std::int32_t>& order = contacts.order();
   Particles& p = particles;

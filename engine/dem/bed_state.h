@@ -59,6 +59,20 @@ struct BedState {
   double fastestWall() const;
   /// Puts the bodies where the particles are.
   void placeBodies();
+  /// Where sides are periodic: moves who has left the bed to its other side, with all that is known of the
+  /// place. `place(i)` tells where the i-th is.
+  template <class Place>
+  void comeIn(const Place& place) {
+    const Period& period = contacts.period();
+    if (!period.isOn()) return;
+    for (std::size_t i = 0; i < particles.size(); ++i) {
+      const double shift = period.shiftOf(place(i).x);
+      if (shift == 0.0) continue;
+      particles.position[i].x += shift;
+      bodies[i].position.x += shift;
+      if (!particles.foreseen.empty()) particles.foreseen[i].x += shift;
+    }
+  }
   /// Sorts the particles in space, for a new contact list; false where not all are at finite places. Loads
   /// are zero afterwards.
   bool sort();

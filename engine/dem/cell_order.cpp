@@ -25,10 +25,17 @@ bool CellOrder::sort(const std::vector<Body>& bodies) {
     return static_cast<std::int32_t>(std::min(length * perSize, most - 1.0)) + 1;
   };
   const Vec2 box = highest - lowest;
-  const bool upright = box.x >= box.y;  // strips
+  const bool repeats = period_ > 0.0, upright = repeats || box.x >= box.y;  // strips
   const auto most = [n](std::int32_t other) { return 8 * (n / other + 1); };
   perStrip_ = n == 0 ? 1 : cells(upright ? box.y : box.x, most(1));
   strips_ = n == 0 ? 1 : cells(upright ? box.x : box.y, most(perStrip_));
+  double perWidth = perSize;  // of a strip
+  if (repeats) {
+    strips_ =
+        static_cast<std::int32_t>(std::clamp(std::floor(period_ * perSize), 3.0, most(perStrip_) + 0.0));
+    perWidth = static_cast<double>(strips_) / period_;
+    lowest.x = 0.0;
+  }
 
   // Counting sort: stable.
   cellOf_.resize(bodies.size());
@@ -36,7 +43,7 @@ bool CellOrder::sort(const std::vector<Body>& bodies) {
   start_.assign(static_cast<std::size_t>(strips_) * perStrip_ + 1, 0);
   for (std::int32_t i = 0; i < n; ++i) {
     const double across =
-        (upright ? bodies[i].position.x - lowest.x : bodies[i].position.y - lowest.y) * perSize;
+        (upright ? bodies[i].position.x - lowest.x : bodies[i].position.y - lowest.y) * perWidth;
     const double along =
         (upright ? bodies[i].position.y - lowest.y : bodies[i].position.x - lowest.x) * perSize;
     const auto strip = static_cast<std::int32_t>(std::min(across, strips_ - 1.0));

@@ -14,10 +14,14 @@ namespace bedmix {
 /// are neighbours in space then are near each other in memory, and whoever may touch a particle stands in two
 /// runs behind it, one in its own strip and one in the next. Cells are at most about eight a particle;
 /// whoever lies beyond is counted into the last ones, which moves no two neighbours further apart.
+///
+/// Where places repeat sideways, strips are upright and fill the period; whoever stands in the first one then
+/// has neighbours in a third run, in the last strip. A period holds three cells at least.
 class CellOrder {
  public:
-  /// `size` of the cells, m: no less than the distance within which neighbours are sought.
-  explicit CellOrder(double size) : size_(size) {}
+  /// `size` of the cells, m: no less than the distance within which neighbours are sought; and the period, m,
+  /// or 0.
+  explicit CellOrder(double size, double period = 0.0) : size_(size), period_(period) {}
 
   /// False, and nothing done, where a particle is at no finite place. Cost grows linearly with their number.
   bool sort(const std::vector<Body>& bodies);
@@ -29,9 +33,12 @@ class CellOrder {
   /// ranges of those behind it in the order that may be within reach, each pair of particles once.
   template <class Visit>
   void forNeighbours(Range range, Visit&& visit) const;
+  /// The same where places repeat: visit(k, sameStrip, nextStrip, lastStrip).
+  template <class Visit>
+  void forNeighboursAround(Range range, Visit&& visit) const;
 
  private:
-  double size_;
+  double size_, period_;
   std::int32_t strips_ = 0, perStrip_ = 0;
   std::vector<std::int32_t> cellOf_, order_;
   std::vector<std::int32_t> start_;  // of each cell in the order, and one past the last
@@ -50,6 +57,20 @@ void CellOrder::forNeighbours(Range range, Visit&& visit) const {
               static_cast<std::size_t>(start_[cell + perStrip_ + above + 1])};
     for (; k < std::min(cellEnd, range.end); ++k) visit(k, Range{k + 1, sameEnd}, next);
   }
+}
+
+template <class Visit>
+void CellOrder::forNeighboursAround(Range range, Visit&& visit) const {
+  forNeighbours(range, [&](std::size_t k, Range same, Range next) {
+    const std::int32_t cell = cellOf_[k], place = cell % perStrip_;
+    Range last{0, 0};
+    if (cell < perStrip_) {
+      const std::int32_t other = (strips_ - 1) * perStrip_ + place;
+      last = {static_cast<std::size_t>(start_[place > 0 ? other - 1 : other]),
+              static_cast<std::size_t>(start_[place + 1 < perStrip_ ? other + 2 : other + 1])};
+    }
+    visit(k, same, next, last);
+  });
 }
 
 }  // namespace bedmix

@@ -20,13 +20,15 @@ double impact2(const SpringDashpot& law, double reach, Vec2 apart, Vec2 velocity
   return closing * closing + law.stiffness / law.mass * pressed * pressed;
 }
 
-/// Of pairs that touch at distances of their own.
-double hardestOfMixed(const BedState& bed, const ContactBlock& block, const SpringDashpot& law, double span) {
-  const std::vector<double>& radii = bed.particles.radii;
+/// Of pairs that touch at distances of their own, or at the bed's two sides.
+double hardestOneByOne(const BedState& bed, const ContactBlock& block, const SpringDashpot& law,
+                       double span) {
+  const Period& period = bed.contacts.period();
   double hardest2 = 0.0;
   const auto look = [&](std::int32_t i, std::int32_t j) {
     const Body &first = bed.bodies[i], &second = bed.bodies[j];
-    hardest2 = std::max(hardest2, impact2(law, radii[i] + radii[j], second.position - first.position,
+    const Vec2 apart = period.nearest(second.position - first.position);
+    hardest2 = std::max(hardest2, impact2(law, bed.particles.radiusOf(i) + bed.particles.radiusOf(j), apart,
                                           second.velocity - first.velocity, span));
   };
   for (std::size_t c = 0; c < block.candidateCount; ++c)
@@ -51,8 +53,8 @@ double hardestOfAlike(const BedState& bed, const ContactBlock& block, const Spri
 
 double hardestOfBlock(const BedState& bed, const ContactBlock& block, const SpringDashpot& pair,
                       const SpringDashpot& wall, double span) {
-  double hardest2 = bed.particles.areMixed() ? hardestOfMixed(bed, block, pair, span)
-                                             : hardestOfAlike(bed, block, pair, span);
+  const bool alike = !bed.particles.areMixed() && !bed.contacts.period().isOn();
+  double hardest2 = alike ? hardestOfAlike(bed, block, pair, span) : hardestOneByOne(bed, block, pair, span);
   for (const ContactBlock::AtWall& w : block.walls) {
     const WallShape shape = bed.contacts.walls()[w.wall].at(bed.timeAfter(0.0));
     for (std::size_t c = 0; c < w.slots.count; ++c) {

@@ -67,7 +67,8 @@ HWY_INLINE void addPairs(Law<parts>& law, const Meetings& meetings, const Motion
       meeting.rolling =
           hn::Mul(law.radius(), collect(d, c, [&](std::size_t l) { return at.spin[i[l]] + at.spin[j[l]]; }));
   }
-  const Kinematics other = difference(at.body, i + c, j + c);
+  Kinematics other = difference(at.body, i + c, j + c);
+  if constexpr (parts.rich) meetings.takeNearest(other.position);
   Push push{hn::Zero(d), hn::Zero(d), hn::Zero(d), hn::Zero(d)};
   const bool any = law.apply(other.position, other.velocity, meeting, among, c, t, push);
   // Rows of all, for who reads them does not know who touches.

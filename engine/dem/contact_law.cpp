@@ -74,8 +74,11 @@ SpringDashpot wallLaw(const Scene& scene) {
 std::optional<ContactEffects> contactEffects(const Scene& scene) {
   const ContactSettings& c = scene.contacts;
   const CohesionSettings* cohesion = scene.effects.find<CohesionSettings>();
-  if (!isMixed(scene) && !c.hertz && !c.rolling && !cohesion && c.pairs.empty()) return std::nullopt;
+  const Period period(scene);
+  if (!isMixed(scene) && !c.hertz && !c.rolling && !cohesion && c.pairs.empty() && !period.isOn())
+    return std::nullopt;
   ContactEffects effects;
+  effects.period = period;
   effects.hertz = c.hertz.has_value();
   effects.spring = c.hertz ? 4.0 / 3.0 * effectiveModulus(*c.hertz) : *c.stiffness;
   effects.dashpot = c.damping.value_or(0.0);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "engine/core/period.h"
 #include "engine/core/scene.h"
 #include "engine/effects/cohesion.h"
 
@@ -45,6 +46,7 @@ struct ContactEffects {
   std::optional<CohesionSettings> cohesion;
   BridgeLaw pairBridge{}, wallBridge{};
   double range = 0.0;  // m, gap up to which there is an attraction
+  Period period;       // by which two particles are the nearest of their images
 };
 /// None where contacts are alike linear springs.
 std::optional<ContactEffects> contactEffects(const Scene& scene);

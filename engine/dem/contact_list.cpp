@@ -47,6 +47,47 @@ std::size_t contactBlocks(double across, std::size_t particles) {
   return std::max<std::size_t>(1, static_cast<std::size_t>(static_cast<double>(particles) / size));
 }
 
+/// Pairs of a block's particles, and of them and those of later blocks, that are within `reach`, m.
+template <bool repeats>
+void findPairs(const CellOrder& order, const Period& period, double reach, const HistoryColumns& columns,
+               const std::vector<Body>& bodies, ContactBlock& block) {
+  std::vector<ContactBlock::Pair>& inside = block.candidates;
+  ContactSlots& crossing = block.crossing;
+  std::size_t& count = block.candidateCount;
+  count = 0;
+  crossing.count = 0;
+  const auto scan = [&](std::size_t i, Range others) {
+    const Range here{others.begin, std::min(others.end, block.particles.end)};
+    if (here.begin < here.end && count + here.size() > inside.size())
+      atLeast(inside, inside.size() + here.size() + block.particles.size() / 8);
+    for (std::size_t j = here.begin; j < here.end; ++j) {
+      Vec2 apart = bodies[j].position - bodies[i].position;
+      if constexpr (repeats) apart = period.nearest(apart);
+      inside[count] = {static_cast<std::int32_t>(i), static_cast<std::int32_t>(j)};
+      count += static_cast<std::size_t>(dot(apart, apart) < reach * reach);
+    }
+    for (std::size_t j = std::max(others.begin, block.particles.end); j < others.end; ++j) {
+      Vec2 apart = bodies[j].position - bodies[i].position;
+      if constexpr (repeats) apart = period.nearest(apart);
+      if (!(dot(apart, apart) < reach * reach)) continue;
+      crossing.reserve(crossing.count + 1 + crossing.count / 2, true, columns);
+      crossing.first[crossing.count] = static_cast<std::int32_t>(i);
+      crossing.second[crossing.count++] = static_cast<std::int32_t>(j);
+    }
+  };
+  if constexpr (repeats)
+    order.forNeighboursAround(block.particles,
+                              [&](std::size_t i, auto... ranges) { (scan(i, ranges), ...); });
+  else
+    order.forNeighbours(block.particles, [&](std::size_t i, Range sameStrip, Range nextStrip) {
+      scan(i, sameStrip);
+      scan(i, nextStrip);
+    });
+  crossing.reserve(crossing.count, true, columns);
+  crossing.pad(static_cast<std::int32_t>(block.particles.begin));
+  atLeast(block.crossingLoads, crossing.count + vector);
+}
+
 }  // namespace
 
 HistoryColumns::HistoryColumns(const Scene& scene) : friction(scene.contacts.friction.has_value()) {
@@ -82,9 +123,10 @@ ContactList::ContactList(const Scene& scene, const std::vector<WallSegment>& wal
     : diameter_(particleRange(scene).largest + cohesionRange(scene)),
       wallReach_(particleRange(scene).largest / 2.0 + cohesionRange(scene)),
       skin_(skinOverDiameter * diameter_),
+      period_(scene),
       columns_(scene),
       walls_(wallShapes(walls)),
-      order_(diameter_ + skin_),
+      order_(diameter_ + skin_, period_.length),
       across_(scene.bed.width / scene.particles.diameter) {
   share(particles);
 }
@@ -200,7 +242,8 @@ void ContactList::recall(ContactSlots& slots, std::int32_t wall) const {
 void ContactList::find(std::size_t b, double innerSkin, const std::vector<Body>& bodies,
                        ContactSlots& spare) {
   ContactBlock& block = blocks_[b];
-  findPairs(block, bodies);
+  const auto find = period_.isOn() ? &findPairs<true> : &findPairs<false>;
+  find(order_, period_, diameter_ + skin_, columns_, bodies, block);
   findWalls(block, bodies);
   for (std::size_t i = block.particles.begin; i < block.particles.end; ++i) built_[i] = bodies[i].position;
 
@@ -212,39 +255,6 @@ void ContactList::find(std::size_t b, double innerSkin, const std::vector<Body>&
   recall(block.near, 0);
   recall(block.crossing, 0);
   for (ContactBlock::AtWall& w : block.walls) recall(w.slots, -1 - static_cast<std::int32_t>(w.wall));
-}
-
-void ContactList::findPairs(ContactBlock& block, const std::vector<Body>& bodies) {
-  const double reach = diameter_ + skin_;
-  std::vector<ContactBlock::Pair>& inside = block.candidates;
-  ContactSlots& crossing = block.crossing;
-  std::size_t& count = block.candidateCount;
-  count = 0;
-  crossing.count = 0;
-  const auto scan = [&](std::size_t i, Range others) {
-    const Range here{others.begin, std::min(others.end, block.particles.end)};
-    if (here.begin < here.end && count + here.size() > inside.size())
-      atLeast(inside, inside.size() + here.size() + block.particles.size() / 8);
-    for (std::size_t j = here.begin; j < here.end; ++j) {
-      const Vec2 apart = bodies[j].position - bodies[i].position;
-      inside[count] = {static_cast<std::int32_t>(i), static_cast<std::int32_t>(j)};
-      count += static_cast<std::size_t>(dot(apart, apart) < reach * reach);
-    }
-    for (std::size_t j = std::max(others.begin, block.particles.end); j < others.end; ++j) {
-      const Vec2 apart = bodies[j].position - bodies[i].position;
-      if (!(dot(apart, apart) < reach * reach)) continue;
-      crossing.reserve(crossing.count + 1 + crossing.count / 2, true, columns_);
-      crossing.first[crossing.count] = static_cast<std::int32_t>(i);
-      crossing.second[crossing.count++] = static_cast<std::int32_t>(j);
-    }
-  };
-  order_.forNeighbours(block.particles, [&](std::size_t i, Range sameStrip, Range nextStrip) {
-    scan(i, sameStrip);
-    scan(i, nextStrip);
-  });
-  crossing.reserve(crossing.count, true, columns_);
-  crossing.pad(static_cast<std::int32_t>(block.particles.begin));
-  atLeast(block.crossingLoads, crossing.count + vector);
 }
 
 void ContactList::findWalls(ContactBlock& block, const std::vector<Body>& bodies) {
@@ -298,9 +308,10 @@ void ContactList::refresh(std::size_t b, double innerSkin, const std::vector<Bod
   for (std::size_t k = 0; k < block.candidateCount; k += portion) {
     const std::span some(block.candidates.data() + k, std::min(portion, block.candidateCount - k));
     block.near.reserve(block.near.count + some.size(), true, columns_);
-    const auto chosen = columns_.rolling || columns_.bridge ? &ContactList::choose<Remembers::more>
-                        : columns_.friction                 ? &ContactList::choose<Remembers::springs>
-                                                            : &ContactList::choose<Remembers::nothing>;
+    const auto chosen = period_.isOn()                        ? &ContactList::choose<Remembers::more, true>
+                        : columns_.rolling || columns_.bridge ? &ContactList::choose<Remembers::more, false>
+                        : columns_.friction ? &ContactList::choose<Remembers::springs, false>
+                                            : &ContactList::choose<Remembers::nothing, false>;
     (this->*chosen)(some, innerSkin, bodies, old, met, block.near);
   }
   block.near.reserve(block.near.count, true, columns_);
@@ -325,7 +336,7 @@ void ContactList::cutNear(ContactBlock& block) {
 }
 
 // No branch: who is near is packed to the front, and the old ones are met in the same order.
-template <ContactList::Remembers what>
+template <ContactList::Remembers what, bool repeats>
 void ContactList::choose(std::span<const ContactBlock::Pair> candidates, double innerSkin,
                          const std::vector<Body>& bodies, const ContactSlots& old, std::size_t& met,
                          ContactSlots& near) const {
@@ -333,7 +344,8 @@ void ContactList::choose(std::span<const ContactBlock::Pair> candidates, double 
   constexpr double kept[] = {0.0, 1.0};
   std::size_t count = near.count;
   for (const auto& [i, j] : candidates) {
-    const Vec2 apart = bodies[j].position - bodies[i].position;
+    Vec2 apart = bodies[j].position - bodies[i].position;
+    if constexpr (repeats) apart = period_.nearest(apart);
     near.first[count] = i;
     near.second[count] = j;
     if constexpr (what != Remembers::nothing) {
@@ -423,8 +435,10 @@ void ContactList::Displacements::add(double square) {
 ContactList::Displacements ContactList::displacements(Range particles,
                                                       const std::vector<Body>& bodies) const {
   Displacements d;
+  const bool repeats = period_.isOn();
   for (std::size_t i = particles.begin; i < particles.end; ++i) {
-    const Vec2 moved = bodies[i].position - built_[i];
+    Vec2 moved = bodies[i].position - built_[i];
+    if (repeats) moved = period_.nearest(moved);  // they may have been moved to the other side since
     d.add(dot(moved, moved));
   }
   return d;

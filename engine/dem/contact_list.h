@@ -2,6 +2,7 @@
 #pragma once
 
 #include "engine/core/blocks.h"
+#include "engine/core/period.h"
 #include "engine/core/state_bytes.h"
 #include "engine/core/vec2.h"
 #include "engine/dem/cell_order.h"
@@ -114,6 +115,8 @@ class ContactList {
   ContactBlock& block(std::size_t b) { return blocks_[b]; }
   const ContactBlock& block(std::size_t b) const { return blocks_[b]; }
   const std::vector<WallShape>& walls() const { return walls_; }
+  /// By which particles that are not moved to the other side before the list is made anew are neighbours.
+  const Period& period() const { return period_; }
   std::int64_t builds() const { return builds_; }
   /// How many blocks further contacts reach at most.
   std::size_t reach() const { return reach_; }
@@ -152,7 +155,6 @@ class ContactList {
  private:
   void share(std::size_t particles);
   void rememberContacts();
-  void findPairs(ContactBlock& block, const std::vector<Body>& bodies);
   void findWalls(ContactBlock& block, const std::vector<Body>& bodies);
   template <class IsNear>
   void findAtWall(const ContactBlock& block, ContactSlots& slots, IsNear&& isNear) const;
@@ -160,12 +162,13 @@ class ContactList {
   void recall(ContactSlots& slots, std::int32_t wall) const;
   bool loadNear(ContactBlock& block, StateReader& in) const;
   enum class Remembers { nothing, springs, more };
-  template <Remembers what>
+  template <Remembers what, bool repeats>
   void choose(std::span<const ContactBlock::Pair> candidates, double innerSkin,
               const std::vector<Body>& bodies, const ContactSlots& old, std::size_t& met,
               ContactSlots& near) const;
 
   double diameter_, wallReach_, skin_;  // m, within which bodies may act on each other; beyond it
+  Period period_;
   HistoryColumns columns_;
   std::int64_t builds_ = 0;
   std::size_t reach_ = 0;

@@ -36,7 +36,8 @@ struct Meeting<true> {
 /// Looks up what each contact has.
 class Meetings {
  public:
-  explicit Meetings(const ContactKernel& kernel, const Motion& at) : kernel_(kernel), at_(at) {}
+  explicit Meetings(const ContactKernel& kernel, const Motion& at)
+      : kernel_(kernel), at_(at), repeats_(kernel.effects && kernel.effects->period.isOn()) {}
 
   HWY_INLINE Meeting<true> ofPairs(const std::int32_t* i, const std::int32_t* j) const {
     Meeting<true> m = begin(i);
@@ -67,6 +68,14 @@ class Meetings {
     m.rolling = hn::Mul(m.first, m.turning);
     m.rollingInertia = aboutContact(m.mass, m.first);
     return m;
+  }
+
+  /// Of the images of the seconds, where the bed has them.
+  HWY_INLINE void takeNearest(Planar& apart) const {
+    if (!repeats_) return;
+    const Period& period = kernel_.effects->period;
+    const V periods = hn::Round(hn::Mul(apart.x, hn::Set(d_, period.perLength)));
+    apart.x = hn::Sub(apart.x, hn::Mul(hn::Set(d_, period.length), periods));
   }
 
  private:
@@ -103,6 +112,7 @@ class Meetings {
   D d_;
   const ContactKernel& kernel_;
   Motion at_;
+  bool repeats_;  // places, sideways
 };
 
 }  // namespace bedmix::HWY_NAMESPACE

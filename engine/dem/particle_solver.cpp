@@ -61,6 +61,7 @@ class Solver final : public ParticleSolver {
     const StepOutcome outcome = integrator_.advance(bed_, steps, maxOverlap_);
     std::optional<DemTrouble> trouble;
     if (!outcome.finite) trouble = findNonFinite(bed_.particles, "integrate");
+    if (!trouble) bed_.comeIn([this](std::size_t i) { return bed_.particles.position[i]; });
     if (!trouble && steps > 0 && deepestOverlap(bed_) > maxOverlap_)
       trouble = DemTrouble{largestOverlapParticle(), largestOverlap(), DemTrouble::Kind::overlap, "contacts"};
     fastest_ = findFastest(bed_.particles);
@@ -172,7 +173,7 @@ double ParticleSolver::elasticEnergy() const {
       for (std::size_t c = 0; c < slots->count; ++c) {
         const std::int32_t i = slots->first[c], j = slots->second[c];
         const double first = p.radiusOf(i), second = p.radiusOf(j);
-        const double depth = first + second - norm(position[j] - position[i]);
+        const double depth = first + second - norm(bed_.contacts.period().nearest(position[j] - position[i]));
         addSpring(*slots, c, add(pairLaw_, depth, first * second / (first + second)));
       }
     for (const ContactBlock::AtWall& w : block.walls)

@@ -92,6 +92,12 @@ std::string obstaclesNote(const Scene& scene) {
   return fmt::format("{} of them, {} turning", scene.obstacles.size(), turning);
 }
 
+bool isPeriodic(const Scene& scene) { return scene.bed.sides == BedSides::periodic; }
+std::string sidesNote(const Scene& scene) {
+  if (!isPeriodic(scene)) return "bed.sides is \"walls\"";
+  return fmt::format("what leaves at x = {:g} m comes in at x = 0", scene.bed.width);
+}
+
 bool vibrates(const Scene& scene) { return scene.floor.vibration.has_value(); }
 std::string vibrationNote(const Scene& scene) {
   const auto& vibration = scene.floor.vibration;
@@ -104,6 +110,7 @@ std::string vibrationNote(const Scene& scene) {
 }
 
 constexpr std::array table{
+    EffectInfo{"bed.sides", "periodic sides", isPeriodic, sidesNote},
     EffectInfo{"floor.vibration", "vibration of the floor", vibrates, vibrationNote},
     EffectInfo{"obstacles", "obstacles", hasObstacles, obstaclesNote},
     EffectInfo{"particles.size", "sizes", [](const Scene& s) { return s.particles.size.has_value(); },

@@ -66,7 +66,10 @@ struct Spread {
 }  // namespace
 
 FaceCharge::FaceCharge(const EffectContext& context) : context_(context) {
-  addDistances(context.gas->grid().x, perWidth_, perCentresX_);
+  const GasGrid& grid = context.gas->grid();
+  addDistances(grid.x, perWidth_, perCentresX_);
+  if (grid.repeats)
+    perCentresX_.front() = perCentresX_.back() = 2.0 / (grid.dx(0) + grid.dx(grid.columns - 1));
   addDistances(context.gas->grid().y, perHeight_, perCentresY_);
 }
 

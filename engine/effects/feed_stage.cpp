@@ -105,6 +105,7 @@ void FeedStage::letIn(std::size_t s, PopulationChange& change) {
 bool FeedStage::findRoom(std::size_t s, const PopulationChange& change, Newcomer& newcomer) {
   const FeedStream& how = feed_.streams[s];
   const Particles& particles = context_.solver.particles();
+  const Period& period = context_.solver.contacts().period();
   const double radius = newcomer.radius;
   struct Other {
     Vec2 position;
@@ -121,7 +122,7 @@ bool FeedStage::findRoom(std::size_t s, const PopulationChange& change, Newcomer
     Rng rng(context_.scene.seed ^ (ownSequence * (s + 1)) ^ static_cast<std::uint64_t>(streams_[s].tries++));
     newcomer.position = {rng.uniform(how.from + radius, how.to - radius), how.y};
     const bool touches = std::any_of(near.begin(), near.end(), [&](const Other& other) {
-      return norm(other.position - newcomer.position) < other.radius + radius;
+      return norm(period.nearest(other.position - newcomer.position)) < other.radius + radius;
     });
     if (!touches && !touchesWalls(newcomer)) return true;
   }

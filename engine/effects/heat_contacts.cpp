@@ -32,7 +32,8 @@ void ContactHeat::ownContacts(const ContactBlock& block, const ParticleSolver& s
   /// What the first gets.
   const auto between = [&](std::int32_t a, std::int32_t b) {
     const double r = particles.radiusOf(a), s = particles.radiusOf(b);
-    const double overlap = r + s - norm(particles.position[b] - particles.position[a]);
+    const Vec2 apart = solver.contacts().period().nearest(particles.position[b] - particles.position[a]);
+    const double overlap = r + s - norm(apart);
     return overlap > 0.0 ? law_.pair(overlap, r * s / (r + s)) * (temperature[b] - temperature[a]) : 0.0;
   };
   std::fill(flow.begin() + static_cast<std::ptrdiff_t>(block.particles.begin),

@@ -16,7 +16,9 @@ GasHeat::GasHeat(const Scene& scene, const GasSolver& gas, const std::vector<dou
   wallTemperature_ = heat.wallTemperature;
   const FaceLayout& layout = gas.layout();
   const GasGrid& grid = gas.grid();
-  const auto at = [&](int i, int j) {
+  const auto around = [&grid](int i) { return grid.repeats ? grid.columnAround(i) : i; };
+  const auto at = [&](int column, int j) {
+    const int i = around(column);
     return i >= 0 && i < grid.columns && j >= 0 && j < grid.rows && grid.open(i, j)
                ? static_cast<int>(grid.cell(i, j))
                : -1;
@@ -31,7 +33,10 @@ GasHeat::GasHeat(const Scene& scene, const GasSolver& gas, const std::vector<dou
     const auto side = [](int face, int beyond, double outward, double area, double half, double otherHalf) {
       return Side{face, beyond, outward, area / (beyond < 0 ? half : half + otherHalf)};
     };
-    const auto halfWidth = [&](int c) { return c >= 0 && c < grid.columns ? 0.5 * grid.dx(c) : 0.0; };
+    const auto halfWidth = [&](int column) {
+      const int c = around(column);
+      return c >= 0 && c < grid.columns ? 0.5 * grid.dx(c) : 0.0;
+    };
     const auto halfHeight = [&](int r) { return r >= 0 && r < grid.rows ? 0.5 * grid.dy(r) : 0.0; };
     cell.sides = {side(left, at(i - 1, j), -1.0, upright, halfWidth(i), halfWidth(i - 1)),
                   side(right, at(i + 1, j), 1.0, upright, halfWidth(i), halfWidth(i + 1)),

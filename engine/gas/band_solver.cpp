@@ -115,9 +115,14 @@ HWY_EXPORT(substitute);
 
 BandSolver::BandSolver(const FaceLayout& layout) : layout_(layout) {
   const auto columns = static_cast<std::size_t>(layout.columns), rows = static_cast<std::size_t>(layout.rows);
-  width_ = std::min(columns, rows);
-  columnStep_ = columns <= rows ? 1 : rows;
-  rowStep_ = columns <= rows ? columns : 1;
+  const std::size_t columnWidth = layout.repeats ? 2 * rows : rows;  // of a band of columns
+  width_ = std::min(columns, columnWidth);
+  columnStep_ = columns <= columnWidth ? 1 : rows;
+  rowStep_ = columns <= columnWidth ? columns : 1;
+  for (std::size_t i = 0; layout.repeats && i < columns; ++i) {
+    const std::size_t fromEnd = columns - 1 - i;
+    columnPlace_.push_back(i <= fromEnd ? 2 * i : 2 * fromEnd + 1);
+  }
   blocks_ = (columns * rows + 3) / 4;
   rowLength_ = (width_ + 3) / 4 * 4 + 4;
   band_.resize((4 * blocks_ + width_) * rowLength_);
@@ -127,32 +132,47 @@ BandSolver::BandSolver(const FaceLayout& layout) : layout_(layout) {
 }
 
 bool BandSolver::prepare(const std::vector<double>& conductance) {
-  const FaceLayout& l = layout_;
-  const double *west = conductance.data(), *south = west + l.size;
   std::fill(band_.begin(), band_.end(), 0.0);
   for (std::size_t k = 0; k < 4 * blocks_; ++k) band_[k * rowLength_ + k % 4] = 1.0;
-  for (int j = 0; j < l.rows; ++j)
-    for (int i = 0; i < l.columns; ++i) {
-      const int c = l.at(i, j);
-      const std::size_t k = unknown(i, j);
-      double* diagonal = &band_[k * rowLength_ + k % 4];
-      const double sum = west[c] + west[c + 1] + south[c] + south[c + l.stride];
-      if (sum != 0.0) *diagonal = sum;
-      // The neighbours to the right and above.
-      if (i + 1 < l.columns) diagonal[columnStep_] = -west[c + 1];
-      if (j + 1 < l.rows) diagonal[rowStep_] = -south[c + l.stride];
-    }
+  layout_.repeats ? fill<true>(conductance) : fill<false>(conductance);
   return HWY_DYNAMIC_DISPATCH(factorize)(band_.data(), perPivot_.data(), scaled_.data(), blocks_, width_,
                                          rowLength_);
 }
 
+template <bool around>
+void BandSolver::fill(const std::vector<double>& conductance) {
+  const FaceLayout& l = layout_;
+  const double *west = conductance.data(), *south = west + l.size;
+  for (int j = 0; j < l.rows; ++j)
+    for (int i = 0; i < l.columns; ++i) {
+      const int c = l.at(i, j);
+      const std::size_t k = unknown<around>(i, j);
+      double* diagonal = &band_[k * rowLength_ + k % 4];
+      const double sum = west[c] + west[c + 1] + south[c] + south[c + l.stride];
+      if (sum != 0.0) *diagonal = sum;
+      // The neighbours to the right and above.
+      if constexpr (around) {
+        const std::size_t right = unknown<around>((i + 1) % l.columns, j), first = std::min(k, right);
+        band_[first * rowLength_ + first % 4 + std::max(k, right) - first] = -west[c + 1];
+      } else if (i + 1 < l.columns) {
+        diagonal[columnStep_] = -west[c + 1];
+      }
+      if (j + 1 < l.rows) diagonal[rowStep_] = -south[c + l.stride];
+    }
+}
+
 void BandSolver::solve(const std::vector<double>& b, std::vector<double>& p) {
+  layout_.repeats ? solveFor<true>(b, p) : solveFor<false>(b, p);
+}
+
+template <bool around>
+void BandSolver::solveFor(const std::vector<double>& b, std::vector<double>& p) {
   const FaceLayout& l = layout_;
   for (int j = 0; j < l.rows; ++j)
-    for (int i = 0; i < l.columns; ++i) x_[unknown(i, j)] = b[l.at(i, j)];
+    for (int i = 0; i < l.columns; ++i) x_[unknown<around>(i, j)] = b[l.at(i, j)];
   HWY_DYNAMIC_DISPATCH(substitute)(band_.data(), perPivot_.data(), x_.data(), blocks_, rowLength_);
   for (int j = 0; j < l.rows; ++j)
-    for (int i = 0; i < l.columns; ++i) p[l.at(i, j)] = x_[unknown(i, j)];
+    for (int i = 0; i < l.columns; ++i) p[l.at(i, j)] = x_[unknown<around>(i, j)];
 }
 
 }  // namespace bedmix

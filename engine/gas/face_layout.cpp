@@ -13,7 +13,8 @@ class Builder {
   explicit Builder(const GasGrid& grid) : g_(grid) {
     out_.columns = g_.columns;
     out_.rows = g_.rows;
-    out_.stride = g_.columns + 1;
+    out_.repeats = g_.repeats;
+    out_.stride = g_.columns + (g_.repeats ? 2 : 1);
     out_.size = out_.stride * (g_.rows + 3);
     out_.families[0] = {0, 1, out_.stride, g_.rows};
     out_.families[1] = {out_.size, out_.stride, 1, g_.rows + 1};
@@ -33,17 +34,28 @@ class Builder {
     addUprightFaces();
     addLevelFaces();
     for (int j = 0; j < g_.rows; ++j)
-      for (int i = 1; i < g_.columns; ++i)
+      for (int i = g_.repeats ? 0 : 1; i < g_.columns; ++i)
         if (open(i - 1, j) && open(i, j)) addUprightVolume(i, j);
     for (int j = 1; j <= g_.rows; ++j)
       for (int i = 0; i < g_.columns; ++i)
         if (open(i, j - 1) && (j == g_.rows || open(i, j))) addLevelVolume(i, j);
+    if (g_.repeats) fillGhosts();
     return std::move(out_);
   }
 
  private:
-  bool open(int i, int j) const { return i >= 0 && i < g_.columns && j >= 0 && j < g_.rows && g_.open(i, j); }
-  int cell(int i, int j) const { return static_cast<int>(g_.cell(i, j)); }
+  int around(int i) const { return g_.repeats ? g_.columnAround(i) : i; }
+  bool open(int i, int j) const {
+    i = around(i);
+    return i >= 0 && i < g_.columns && j >= 0 && j < g_.rows && g_.open(i, j);
+  }
+  int cell(int i, int j) const { return static_cast<int>(g_.cell(around(i), j)); }
+  double dx(int i) const { return g_.dx(around(i)); }
+  int lowestRow(int i) const {
+    i = around(i);
+    return i >= 0 && i < g_.columns ? g_.lowestRow[i] : g_.rows;
+  }
+  double volume(int i, int j) const { return g_.volume(around(i), j); }
 
   void addCells() {
     for (int j = 0; j < g_.rows; ++j)
@@ -69,14 +81,13 @@ class Builder {
   double weightBefore(int i0, int j0, int i1, int j1) const {
     if (!open(i0, j0)) return 0.0;
     if (!open(i1, j1)) return 1.0;
-    const double before = g_.volume(i0, j0);
-    return before / (before + g_.volume(i1, j1));
+    const double before = volume(i0, j0);
+    return before / (before + volume(i1, j1));
   }
 
   void addUprightFaces() {
     for (int i = 0; i <= g_.columns; ++i) {
-      const int lowest =
-          std::min(i > 0 ? g_.lowestRow[i - 1] : g_.rows, i < g_.columns ? g_.lowestRow[i] : g_.rows);
+      const int lowest = std::min(lowestRow(i - 1), lowestRow(i));
       for (int j = -1; j < g_.rows; ++j) {
         const int f = out_.uFace(i, j), nearest = std::max(j, lowest);
         out_.weightBefore[f] = weightBefore(i - 1, nearest, i, nearest);
@@ -101,12 +112,12 @@ class Builder {
   }
 
   void addUprightVolume(int i, int j) {
-    const double width = 0.5 * (g_.dx(i - 1) + g_.dx(i)), height = g_.dy(j);
+    const double width = 0.5 * (dx(i - 1) + dx(i)), height = g_.dy(j);
     const double endArea = height * g_.thickness;
     const int f = out_.uFace(i, j);
     addVolume({f, cell(i - 1, j), cell(i, j), false, endArea, width * endArea});
-    out_.alongSide[f] = endArea / g_.dx(i - 1);
-    out_.alongSide[f + 1] = endArea / g_.dx(i);
+    out_.alongSide[f] = endArea / dx(i - 1);
+    out_.alongSide[f + 1] = endArea / dx(i);
     // On the floor the neighbour is the face below it, which has no velocity.
     const bool onFloor = !open(i - 1, j - 1) && !open(i, j - 1);
     out_.acrossSide[f] = width * g_.thickness / (onFloor ? 0.5 * height : 0.5 * (height + g_.dy(j - 1)));
@@ -127,10 +138,19 @@ class Builder {
     if (!outlet && j + 1 < g_.rows && !open(i, j + 1)) out_.alongSide[f + out_.stride] = area / g_.dy(j);
     for (int next : {i - 1, i + 1}) {
       if (open(next, outlet ? j - 1 : j))
-        out_.acrossSide[std::max(f, out_.vFace(next, j))] = sideArea / (0.5 * (g_.dx(i) + g_.dx(next)));
+        out_.acrossSide[std::max(f, out_.vFace(next, j))] = sideArea / (0.5 * (dx(i) + dx(next)));
       else
         out_.wall[f] += sideArea / (0.5 * g_.dx(i));
     }
+  }
+
+  /// What loops over whole rows ask of ghosts: whose voidage they have, and how large faces are.
+  void fillGhosts() {
+    for (int j = -1; j < g_.rows; ++j) {
+      out_.voidageCell[out_.at(-1, j)] = out_.voidageCell[out_.at(g_.columns - 1, j)];
+      out_.voidageCell[out_.at(g_.columns, j)] = out_.voidageCell[out_.at(0, j)];
+    }
+    out_.copyAround(Member(), out_.faceArea);
   }
 
   const GasGrid& g_;
@@ -138,6 +158,18 @@ class Builder {
 };
 
 }  // namespace
+
+void FaceLayout::copyAround(double* frame, Range mine) const {
+  if (!repeats) return;
+  for (int j = static_cast<int>(mine.begin); j < static_cast<int>(mine.end); ++j) {
+    frame[at(-1, j)] = frame[at(columns - 1, j)];
+    frame[at(columns, j)] = frame[at(0, j)];
+  }
+}
+
+void FaceLayout::copyAround(const Member& member, std::vector<double>& faces) const {
+  for (const FaceFamily& family : families) copyAround(&faces[family.first], member.share(family.rows));
+}
 
 FaceLayout makeFaceLayout(const GasGrid& grid) { return Builder(grid).build(); }
 

@@ -3,6 +3,7 @@
 
 #include "engine/core/gas_grid.h"
 #include "engine/core/thread_team.h"
+#include "engine/gas/member.h"
 
 #include <array>
 #include <cstddef>
@@ -42,10 +43,15 @@ struct FaceFamily {
 /// face have its own place. So neighbours are always the same number of places away, and whatever lies
 /// outside the gas has its place too and stays zero. Faces are numbered upright ones first; riser and wall
 /// faces keep zero velocity; the top faces belong to half-height volumes with zero gradient above.
+///
+/// Where sides are periodic each row has a place before it, too, and those before and behind are ghosts: they
+/// have what stands at the other end of the row, see copyAround(). The first upright face is solved for, the
+/// one behind the last column is its ghost.
 struct FaceLayout {
   int columns = 0, rows = 0;
-  int stride = 0;  // from row to row of a frame
-  int size = 0;    // of a frame
+  bool repeats = false;  // sides are periodic
+  int stride = 0;        // from row to row of a frame
+  int size = 0;          // of a frame
   std::array<FaceFamily, 2> families;
   std::vector<MomentumVolume> volumes;
   std::vector<FloorFace> floor;               // one a column
@@ -67,7 +73,12 @@ struct FaceLayout {
   std::vector<int> voidageCell;  // whose voidage stands here: blocked cells take that of the open one above
   std::vector<double> open;      // volume of open cells, m3, else 0
 
-  int at(int i, int j) const { return (j + 1) * stride + i; }
+  int at(int i, int j) const { return rowStart(j) + (repeats ? 1 : 0) + i; }
+  int rowStart(int j) const { return (j + 1) * stride; }
+  /// Sets the ghosts in these rows of a frame.
+  void copyAround(double* frame, Range mine) const;
+  /// The same of both families' faces, in a member's rows.
+  void copyAround(const Member& member, std::vector<double>& faces) const;
   /// Of a frame, what lies in these rows.
   Range places(Range mine) const {
     return {(mine.begin + 1) * static_cast<std::size_t>(stride),

@@ -119,8 +119,10 @@ GasStepReport GasSolver::advance(const std::vector<double>& voidage) {
 GasStepReport GasSolver::step(Member& member, const std::vector<double>& voidage) {
   momentum_.beginStep(member, fields_.velocity, faceVoidage_);
   member.wait();
-  if (member.first())
+  if (member.first()) {
     for (const FloorFace& f : layout_.floor) fields_.velocity[f.face] = f.flux / (f.area * voidage[f.cell]);
+    layout_.copyAround(&fields_.velocity[layout_.families[1].first], {0, 1});  // level, so that it is all
+  }
   takeVoidage(member, voidage);
   GasStepReport report = scheme_ == GasScheme::projection ? project(member) : simple(member);
   report.massResidual = massResidual(member);
@@ -146,12 +148,13 @@ void GasSolver::takeVoidage(Member& member, const std::vector<double>& voidage) 
 void GasSolver::updateFaceVoidage(Member& member) {
   for (const FaceFamily& family : layout_.families) {
     const Range mine = member.share(family.rows + 1);
-    const int from = layout_.at(0, static_cast<int>(mine.begin) - 1),
-              to = layout_.at(0, static_cast<int>(mine.end) - 1);
+    const int from = layout_.rowStart(static_cast<int>(mine.begin) - 1),
+              to = layout_.rowStart(static_cast<int>(mine.end) - 1);
     for (int c = std::max(from, family.along); c < to; ++c) {
       const double before = layout_.weightBefore[family.first + c];
       faceVoidage_[family.first + c] = before * voidage_[c - family.along] + (1.0 - before) * voidage_[c];
     }
+    layout_.copyAround(&faceVoidage_[family.first], {std::max<std::size_t>(mine.begin, 1) - 1, mine.end - 1});
   }
   member.wait();
 }
@@ -200,6 +203,7 @@ void GasSolver::correct(Member& member, double pressureShare, double left) {
   updateImbalance(member);
   member.wait();
   pressureSolver_.solve(member, imbalance_, correction_, {left, ofInflow * inflow_});
+  layout_.copyAround(correction_.data(), member.share(layout_.rows));
   momentum_.correct(member, correction_, change_, fields_.velocity);
   const Range mine = layout_.places(member.share(layout_.rows));
   for (std::size_t c = mine.begin; c < mine.end; ++c) pressure_[c] += pressureShare * correction_[c];

@@ -126,6 +126,7 @@ double MomentumSystem::residual(Member& member, const std::vector<double>& veloc
 void MomentumSystem::sweep(Member& member, const std::vector<double>& from, std::vector<double>& to) const {
   for (const FaceFamily& family : layout_.families)
     kernel_.sweep(family, from.data(), to.data(), faces(member, family));
+  layout_.copyAround(member, to);
   member.wait();
 }
 
@@ -151,18 +152,22 @@ void MomentumSystem::conductances(Member& member, std::vector<double>& conductan
     for (std::size_t f = mine.begin; f < mine.end; ++f)
       conductance[f] = kernel_.pull[f] * kernel_.pull[f] * kernel_.perDiagonal[f];
   }
+  layout_.copyAround(member, conductance);
 }
 
 void MomentumSystem::correct(Member& member, const std::vector<double>& pressure, std::vector<double>& change,
                              std::vector<double>& velocity) const {
   for (const FaceFamily& family : layout_.families)
     kernel_.correct(family, pressure.data(), change.data(), velocity.data(), faces(member, family));
+  layout_.copyAround(member, change);
+  layout_.copyAround(member, velocity);
 }
 
 void MomentumSystem::addNeighbourEffect(Member& member, const std::vector<double>& change,
                                         std::vector<double>& velocity) const {
   for (const FaceFamily& family : layout_.families)
     kernel_.addNeighbourEffect(family, change.data(), velocity.data(), faces(member, family));
+  layout_.copyAround(member, velocity);
 }
 
 }  // namespace bedmix

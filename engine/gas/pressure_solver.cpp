@@ -13,6 +13,8 @@ namespace {
 // Where a band is factorized: cells along the short side, for width^2 is what it costs, and cells, for it
 // keeps one thread busy only.
 constexpr int widestDirect = 16, largestDirect = 4096;
+// Between periodic sides, where iterations cost more.
+constexpr int widestDirectAround = 48;
 
 }  // namespace
 
@@ -24,8 +26,13 @@ PressureSolver::Iteration::Iteration(const FaceLayout& layout, int members)
 
 PressureSolver::PressureSolver(const FaceLayout& layout, int members)
     : layout_(layout), reduction_(layout.rows) {
-  if (std::min(layout.columns, layout.rows) <= widestDirect && layout.columns * layout.rows < largestDirect)
+  const int width = std::min(layout.columns, layout.repeats ? 2 * layout.rows : layout.rows);
+  const bool isSmall = width <= (layout.repeats ? widestDirectAround : widestDirect) &&
+                       layout.columns * layout.rows < largestDirect;
+  if (isSmall)
     band_.emplace(layout);
+  else if (layout.repeats)
+    around_.emplace(layout, members);
   else
     iteration_.emplace(layout, members);
 }
@@ -50,6 +57,7 @@ bool PressureSolver::prepare(Member& member, const std::vector<double>& conducta
     return sound_;
   }
   if (member.first()) conductance_ = &conductance;
+  if (around_) return around_->solver.prepare(member, conductance);
   iteration_->multigrid.prepare(member, conductance);
   const double *west = conductance.data(), *south = west + layout_.size;
   const double all = sum(member, [=](Range row) { return total(west, row) + total(south, row); });
@@ -58,10 +66,22 @@ bool PressureSolver::prepare(Member& member, const std::vector<double>& conducta
 
 int PressureSolver::solve(Member& member, const std::vector<double>& b, std::vector<double>& p,
                           Tolerance tolerance) {
+  if (around_) return goAround(member, b, p, tolerance);
   if (!band_) return iterate(member, b, p, tolerance);
   if (member.first()) band_->solve(b, p);
   member.wait();
   return 0;
+}
+
+int PressureSolver::goAround(Member& member, const std::vector<double>& b, std::vector<double>& p,
+                             Tolerance tolerance) {
+  const int iterations =
+      around_->solver.solve(member, b, p, tolerance.relative, tolerance.absolute, mostIterations);
+  if (iterations >= 0) return iterations;
+  member.wait();
+  if (member.first()) around_->lastResort.solve(*conductance_, b, p);
+  member.wait();
+  return mostIterations;
 }
 
 int PressureSolver::iterate(Member& member, const std::vector<double>& b, std::vector<double>& p,

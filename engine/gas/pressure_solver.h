@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "engine/gas/around_solver.h"
 #include "engine/gas/band_solver.h"
 #include "engine/gas/face_layout.h"
 #include "engine/gas/member.h"
@@ -40,7 +41,14 @@ class PressureSolver {
     std::vector<double> residual, direction, image;
     Iteration(const FaceLayout& layout, int members);
   };
+  /// Between periodic sides.
+  struct Around {
+    AroundSolver solver;
+    SparseSolver lastResort;
+    Around(const FaceLayout& layout, int members) : solver(layout, members), lastResort(layout) {}
+  };
   int iterate(Member& member, const std::vector<double>& b, std::vector<double>& p, Tolerance tolerance);
+  int goAround(Member& member, const std::vector<double>& b, std::vector<double>& p, Tolerance tolerance);
   /// Over all rows, of what `ofRow` makes of a row's places.
   template <class OfRow>
   double sum(Member& member, OfRow&& ofRow);
@@ -49,8 +57,9 @@ class PressureSolver {
   const FaceLayout& layout_;
   const std::vector<double>* conductance_ = nullptr;
   std::optional<BandSolver> band_;      // one of
-  std::optional<Iteration> iteration_;  // these two
-  bool sound_ = true;                   // what the first member found out
+  std::optional<Iteration> iteration_;  // these three
+  std::optional<Around> around_;
+  bool sound_ = true;  // what the first member found out
   RowReduction<double> reduction_;
 };
 

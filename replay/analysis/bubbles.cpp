@@ -43,6 +43,11 @@ std::vector<Bubbles::Bubble> Bubbles::find(const Frame& frame) const {
     return grid_.open(column, row) &&
            static_cast<double>(frame.gas.voidage[grid_.cell(column, row)]) > level_;
   };
+  // Columns are counted on beyond periodic sides.
+  const auto inGrid = [&](int column) {
+    return grid_.repeats ? (column % grid_.columns + grid_.columns) % grid_.columns : column;
+  };
+  const double width = scene_.bed.width;
   const double surface = bedHeight(frame, scene_);
   std::vector<bool> seen(grid_.cells());
   std::vector<Bubble> found;
@@ -54,22 +59,27 @@ std::vector<Bubbles::Bubble> Bubbles::find(const Frame& frame) const {
       std::vector<std::pair<int, int>> open{{left, top}};
       seen[grid_.cell(left, top)] = true;
       while (!open.empty()) {
-        const auto [column, row] = open.back();
+        const auto [place, row] = open.back();
         open.pop_back();
+        const int column = inGrid(place);
+        const double beyond = static_cast<double>((place - column) / grid_.columns) * width;
         const double area = grid_.dx(column) * grid_.dy(row);
         bubble.cells.push_back(grid_.cell(column, row));
         bubble.area += area;
         bubble.centroid +=
-            Vec2{grid_.x[column] + grid_.x[column + 1], grid_.y[row] + grid_.y[row + 1]} * (0.5 * area);
-        for (const auto& [c, r] : {std::pair{column - 1, row}, std::pair{column + 1, row},
-                                   std::pair{column, row - 1}, std::pair{column, row + 1}}) {
+            Vec2{grid_.x[column] + grid_.x[column + 1] + 2.0 * beyond, grid_.y[row] + grid_.y[row + 1]} *
+            (0.5 * area);
+        for (const auto& [next, r] : {std::pair{place - 1, row}, std::pair{place + 1, row},
+                                      std::pair{place, row - 1}, std::pair{place, row + 1}}) {
+          const int c = inGrid(next);
           if (c < 0 || r < 0 || c >= grid_.columns || r >= grid_.rows) continue;
           if (seen[grid_.cell(c, r)] || !empty(c, r)) continue;
           seen[grid_.cell(c, r)] = true;
-          open.push_back({c, r});
+          open.push_back({next, r});
         }
       }
       bubble.centroid *= 1.0 / bubble.area;
+      if (grid_.repeats) bubble.centroid.x -= width * std::floor(bubble.centroid.x / width);
       const double height = bubble.centroid.y - floorHeight(scene_, bubble.centroid.x);
       if (top + 1 < grid_.rows && height < surface && bubble.cells.size() >= fewestCells)
         found.push_back(std::move(bubble));

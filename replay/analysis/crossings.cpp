@@ -13,6 +13,7 @@ namespace bedmix {
 
 Crossings::Crossings(const AnalysisInput& input)
     : scene_(input.scene),
+      period_(input.scene),
       spacing_(input.scene.particles.diameter),
       // As high as particles get above an open top; what rises higher counts as just below that.
       lines_(static_cast<std::size_t>(std::clamp(2.0 * input.scene.bed.height / spacing_, 1.0, 1e5))),
@@ -31,7 +32,7 @@ void Crossings::accept(const Frame& frame) {
   if (started_) duration_ += frame.time - previous_.time;
   started_ = true;
   forParticlesInBoth(previous_.id, frame.id, [&](std::size_t i, std::size_t j) {
-    const Vec2f from = previous_.position[i], to = frame.position[j];
+    const Vec2f from = previous_.position[i], to = period_.next(from, frame.position[j]);
     const double low = heightOf(from), high = heightOf(to);
     const std::size_t below = lineBelow(low), above = lineBelow(high);
     for (std::size_t line = below; line < above; ++line) lines_[line + 1].with += 1.0;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "engine/core/frame.h"
+#include "engine/core/period.h"
 #include "replay/analysis/analysis.h"
 
 #include <vector>
@@ -32,6 +33,7 @@ class Crossings final : public Analysis {
   std::size_t lineBelow(double height) const;
 
   const Scene& scene_;
+  Period period_;
   double spacing_;  // m
   Frame previous_;  // ids and places only
   bool started_ = false;

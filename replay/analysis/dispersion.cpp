@@ -41,19 +41,21 @@ Fit fit(const Table& table, std::size_t column, double low, double high) {
 
 Dispersion::Dispersion(const AnalysisInput& input)
     : scene_(input.scene),
+      paths_(input.scene),
       interval_(input.interval),
       every_((input.frames + originCount - 1) / originCount),
       sums_(input.frames / 2) {}
 
 void Dispersion::accept(const Frame& frame) {
+  const std::vector<Vec2f>& position = paths_.follow(frame);
   for (const Origin& origin : origins_) {
     const std::size_t lag = seen_ - origin.index;
     if (lag > sums_.size()) continue;
     double n = 0.0;
     Vec2 sum{}, squares{};
     forParticlesInBoth(origin.id, frame.id, [&](std::size_t i, std::size_t j) {
-      const double x = static_cast<double>(frame.position[j].x) - static_cast<double>(origin.position[i].x);
-      const double y = static_cast<double>(frame.position[j].y) - static_cast<double>(origin.position[i].y);
+      const double x = static_cast<double>(position[j].x) - static_cast<double>(origin.position[i].x);
+      const double y = static_cast<double>(position[j].y) - static_cast<double>(origin.position[i].y);
       n += 1.0;
       sum += Vec2{x, y};
       squares += Vec2{x * x, y * y};
@@ -63,7 +65,7 @@ void Dispersion::accept(const Frame& frame) {
     sums_[lag - 1].msd += spread * (1.0 / (n - 1.0));
     ++sums_[lag - 1].origins;
   }
-  if (seen_ % every_ == 0) origins_.push_back({seen_, frame.id, frame.position});
+  if (seen_ % every_ == 0) origins_.push_back({seen_, frame.id, position});
   heights_ += bedHeight(frame, scene_);
   ++seen_;
 }

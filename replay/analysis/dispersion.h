@@ -2,6 +2,7 @@
 #pragma once
 
 #include "replay/analysis/analysis.h"
+#include "replay/analysis/paths.h"
 
 #include <cstdint>
 #include <vector>
@@ -37,6 +38,7 @@ class Dispersion final : public Analysis {
   Table table() const;
 
   const Scene& scene_;
+  Paths paths_;
   double interval_;       // s
   double heights_ = 0.0;  // of the bed, summed, m
   std::size_t every_;     // frames between origins

@@ -39,14 +39,15 @@ std::optional<double> secondHalfMean(const Table::Column& column) {
   return meanOf(Table::Column(column.begin() + half, column.end()));
 }
 
-Indices::Indices(const AnalysisInput& input) : grid_(samplingGrid(input.scene)), table_{columnNames(), {}} {
+Indices::Indices(const AnalysisInput& input)
+    : grid_(samplingGrid(input.scene)), period_(input.scene), table_{columnNames(), {}} {
   table_.columns.resize(table_.names.size());
 }
 
 void Indices::accept(const Frame& frame) {
   if (!start_) start_.emplace(frame);
   const CellStatistics cells = cellStatistics(countCells(frame, grid_), grid_.minParticles);
-  const MixingState state{frame, cells, *start_};
+  const MixingState state{frame, cells, *start_, period_};
   std::vector<std::optional<double>> row{frame.time};
   for (const MixingIndex& index : mixingIndices()) row.push_back(index.of(state));
   const auto component = start_->with(frame);

@@ -33,6 +33,7 @@ class Indices final : public Analysis {
 
  private:
   SamplingGrid grid_;
+  Period period_;
   std::optional<StartCorrelation> start_;  // from the first frame on
   Table table_;
 };

@@ -28,6 +28,7 @@ bool passesBetween(const FluxLine& line, Vec2 a, Vec2 b) {
 
 LineFlux::LineFlux(const AnalysisInput& input, FluxLine line, std::string name)
     : line_(line),
+      period_(input.scene),
       name_(std::move(name)),
       massOverArea_(particleMass(input.scene) / (norm(line.to - line.from) * input.scene.bed.thickness)),
       table_{{"time", "flux", "to_left", "to_right"}, std::vector<Table::Column>(4)} {}
@@ -37,9 +38,15 @@ void LineFlux::accept(const Frame& frame) {
     double toLeft = 0.0, toRight = 0.0;
     forParticlesInBoth(previous_.id, frame.id, [&](std::size_t i, std::size_t j) {
       const Vec2 a = toDouble(previous_.position[i]), b = toDouble(frame.position[j]);
-      const bool wasLeft = leftOf(line_, a) >= 0.0, isLeft = leftOf(line_, b) >= 0.0;
-      if (wasLeft == isLeft || !passesBetween(line_, a, b)) return;
-      (isLeft ? toLeft : toRight) += 1.0;
+      const auto pass = [&](Vec2 from, Vec2 to) {
+        const bool wasLeft = leftOf(line_, from) >= 0.0, isLeft = leftOf(line_, to) >= 0.0;
+        if (wasLeft == isLeft || !passesBetween(line_, from, to)) return;
+        (isLeft ? toLeft : toRight) += 1.0;
+      };
+      const Vec2 by = period_.nearest(b - a);
+      if (by == b - a) return pass(a, b);
+      pass(a, a + by);  // out of the bed at one side
+      pass(b - by, b);  // and in at the other
     });
     const double each = massOverArea_ / (frame.time - previous_.time);
     table_.append({frame.time, each * (toLeft - toRight), each * toLeft, each * toRight});

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "engine/core/period.h"
 #include "replay/analysis/analysis.h"
 
 #include <string>
@@ -28,6 +29,7 @@ class LineFlux final : public Analysis {
 
  private:
   FluxLine line_;
+  Period period_;
   std::string name_;
   double massOverArea_;  // kg/m2, of a particle
   Frame previous_;       // time, ids and places only

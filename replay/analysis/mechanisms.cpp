@@ -32,6 +32,7 @@ struct CellField {
 
 Mechanisms::Mechanisms(const AnalysisInput& input)
     : grid_(samplingGrid(input.scene)),
+      period_(input.scene),
       width_(input.scene.bed.width),
       table_{{"time", "total", "convective", "shear", "diffusive", "counted_fraction"},
              std::vector<Table::Column>(6)} {}
@@ -61,7 +62,8 @@ Mechanisms::Moves Mechanisms::split(const Frame& frame) {
   moves.id.reserve(previous_.size());
   forParticlesInBoth(previous_.id, frame.id, [&](std::size_t i, std::size_t j) {
     CellField* cell = cellOfRow[i] < 0 ? nullptr : &cells[static_cast<std::size_t>(cellOfRow[i])];
-    const Vec2 from = toDouble(previous_.position[i]), by = toDouble(frame.position[j]) - from;
+    const Vec2 from = toDouble(previous_.position[i]),
+               by = period_.nearest(toDouble(frame.position[j]) - from);
     movers.push_back({cell, from, by});
     moves.id.push_back(previous_.id[i]);
     if (!cell) return;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "engine/core/period.h"
 #include "engine/core/sampling_grid.h"
 #include "replay/analysis/analysis.h"
 
@@ -54,6 +55,7 @@ class Mechanisms final : public Analysis {
   Table lagTable() const;
 
   SamplingGrid grid_;
+  Period period_;
   double width_;    // m, of the bed
   Frame previous_;  // time, places and ids only
   bool started_ = false;

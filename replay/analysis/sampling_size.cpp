@@ -36,7 +36,7 @@ std::optional<double> SamplingSize::Mean::value() const {
   return sum / static_cast<double>(defined);
 }
 
-SamplingSize::SamplingSize(const AnalysisInput& input) : frames_(input.frames) {
+SamplingSize::SamplingSize(const AnalysisInput& input) : frames_(input.frames), period_(input.scene) {
   for (const SamplingGrid& grid : samplingSeries(input.scene)) series_.push_back({grid, {}});
 }
 
@@ -51,7 +51,7 @@ void SamplingSize::accept(const Frame& frame) {
     means[3].add(ashtonIndex(cells));
     means[4].add(weightedLaceyIndex(cells));
   }
-  neighbours_.add(neighbourIndex(frame));
+  neighbours_.add(neighbourIndex(frame, planeNeighbours, period_));
 }
 
 std::vector<NamedTable> SamplingSize::tables() const {

@@ -41,6 +41,7 @@ class SamplingSize final : public Analysis {
   };
 
   std::size_t frames_, seen_ = 0;
+  Period period_;
   std::vector<Series> series_;
   Mean neighbours_;
 };

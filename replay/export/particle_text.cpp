@@ -45,9 +45,10 @@ std::string extxyz(const Frame& frame, const Scene& scene) {
   const bool spins = !frame.angularVelocity.empty();
   const double depth = scene.bed.thickness;
   std::string text = fmt::format(
-      "{}\nLattice=\"{} 0 0 0 {} 0 0 0 {}\" Origin=\"0 0 {}\" pbc=\"F F F\" "
+      "{}\nLattice=\"{} 0 0 0 {} 0 0 0 {}\" Origin=\"0 0 {}\" pbc=\"{} F F\" "
       "Properties=species:S:1:pos:R:3:velo:R:3:radius:R:1:id:I:1{}{} Time={}\n",
-      frame.size(), scene.bed.width, scene.bed.height, depth, -depth / 2, spins ? ":omega:R:1" : "",
+      frame.size(), scene.bed.width, scene.bed.height, depth, -depth / 2,
+      scene.bed.sides == BedSides::periodic ? "T" : "F", spins ? ":omega:R:1" : "",
       frame.temperature.empty() ? "" : ":temperature:R:1", frame.time);
   const auto out = std::back_inserter(text);
   for (std::size_t i = 0; i < frame.size(); ++i) {
@@ -66,9 +67,10 @@ std::string lammps(const Frame& frame, const Scene& scene) {
   const double depth = scene.bed.thickness;
   std::string text = fmt::format(
       "ITEM: TIME\n{}\nITEM: TIMESTEP\n{}\nITEM: NUMBER OF ATOMS\n{}\n"
-      "ITEM: BOX BOUNDS ff ff ff\n0 {}\n0 {}\n{} {}\nITEM: ATOMS id type x y z vx vy vz radius{}{}\n",
-      frame.time, frame.step, frame.size(), scene.bed.width, scene.bed.height, -depth / 2, depth / 2,
-      spins ? " omegaz" : "", frame.temperature.empty() ? "" : " temperature");
+      "ITEM: BOX BOUNDS {} ff ff\n0 {}\n0 {}\n{} {}\nITEM: ATOMS id type x y z vx vy vz radius{}{}\n",
+      frame.time, frame.step, frame.size(), scene.bed.sides == BedSides::periodic ? "pp" : "ff",
+      scene.bed.width, scene.bed.height, -depth / 2, depth / 2, spins ? " omegaz" : "",
+      frame.temperature.empty() ? "" : " temperature");
   const auto out = std::back_inserter(text);
   for (std::size_t i = 0; i < frame.size(); ++i) {
     const Vec2f at = frame.position[i], v = frame.velocity[i];

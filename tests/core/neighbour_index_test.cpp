@@ -93,6 +93,23 @@ TEST(NeighbourIndex, AgreesWithAllPairs) {
   }
 }
 
+// With periodic sides no place is at a side: columns of a chequerboard have four unlike ones but for those
+// above and below.
+TEST(NeighbourIndex, GoesAroundPeriodicSides) {
+  const int side = 20;
+  const double n = side * side;
+  Scene scene;
+  scene.bed.width = side;
+  scene.bed.sides = BedSides::periodic;
+  const Frame frame = lattice(side, [](int x, int y) { return (x + y) % 2; });
+  const double unlike = (n - 2 * side) * 4 + 2 * side * 3;
+  EXPECT_NEAR(*neighbourIndex(frame, 4, Period(scene)), unlike / (4 * n) / (0.5 * n / (n - 1)), 1e-12);
+  // And halves meet twice.
+  const Frame halves = lattice(side, [](int x, int) { return x < 10; });
+  EXPECT_NEAR(*neighbourIndex(halves, 4, Period(scene)),
+              4 * (side - 2 + 2 * 1.5) / (4 * n) / (0.5 * n / (n - 1)), 1e-12);
+}
+
 TEST(NeighbourIndex, WhatIsNotDefinedIsEmpty) {
   EXPECT_FALSE(neighbourIndex(Frame{}));
   Frame frame = lattice(3, [](int, int) { return 1; });

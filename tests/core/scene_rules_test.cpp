@@ -68,6 +68,47 @@ INSTANTIATE_TEST_SUITE_P(
                   s.particles.count = 1000;
                 },
                 "particles.count", "closest packing holds 415"},
+        Spoiled{"NarrowPeriodicBed",
+                [](Scene& s) {
+                  s.bed.sides = BedSides::periodic;
+                  s.bed.width = 0.016;
+                  s.gas.reset();
+                  s.flux.reset();
+                },
+                "bed.width", "wider than 5 diameters"},
+        Spoiled{"InclinedPeriodicBed",
+                [](Scene& s) {
+                  s.bed.sides = BedSides::periodic;
+                  s.floor.inclinationDeg = 5.0;
+                },
+                "floor.inclination_deg", "would jump"},
+        Spoiled{"ObstacleAtPeriodicSide",
+                [](Scene& s) {
+                  s.bed.sides = BedSides::periodic;
+                  s.obstacles.push_back({.x = 0.012, .y = 0.06, .radius = 0.006});
+                },
+                "obstacles.0", "must stay 0.008 m"},
+        Spoiled{"DrumBetweenPeriodicSides",
+                [](Scene& s) {
+                  s.bed.sides = BedSides::periodic;
+                  s.gas.reset();
+                  s.flux.reset();
+                  s.obstacles.push_back(
+                      {.shape = ObstacleShape::drum, .x = 0.024, .y = 0.06, .radius = 0.024});
+                },
+                "obstacles.0.shape", "a drum holds all"},
+        Spoiled{"FewPeriodicColumns",
+                [](Scene& s) {
+                  s.bed.sides = BedSides::periodic;
+                  s.gas->grid.columns = {{3, 0.016}};
+                },
+                "gas.grid.columns", "4 columns of gas cells at least"},
+        Spoiled{"UnlikePeriodicColumns",
+                [](Scene& s) {
+                  s.bed.sides = BedSides::periodic;
+                  s.gas->grid.columns = {{2, 0.008}, {2, 0.016}};
+                },
+                "gas.grid.columns", "as wide as each other"},
         Spoiled{"LongStep", [](Scene& s) { s.time.step = 1e-4; }, "time.step", "T/9.96"},
         Spoiled{"Duration", [](Scene& s) { s.time.duration = 0.050004; }, "time.duration",
                 "the nearest is 0.05 s"},

@@ -155,7 +155,7 @@ TEST(Feed, OthersDoNotNotice) {
 }
 
 /// A particle that appears in gas at rest has taken the place of as much: nothing flows. If it had pushed
-/// that much away, gas would have left the cell at V/(d A), at 0.1 m/s.
+/// that much away, gas would have left the cell at some cm/s.
 TEST(Feed, MakesNoGasFlow) {
   Scene scene = test::lowScene(20, 0.0);
   scene.start.arrangement = Arrangement::drop;

@@ -34,6 +34,21 @@ TEST(Forces, OfWallsEndOnThem) {
   EXPECT_NEAR(contacts[1].to.x, 0.0, 1e-7);
 }
 
+// Drawn at both sides.
+TEST(Forces, GoAcrossPeriodicSides) {
+  Scene scene = test::flatBed();
+  scene.bed.sides = BedSides::periodic;
+  const auto width = static_cast<float>(scene.bed.width);
+  const Frame frame = test::particlesAt({{0.001f, 0.1f}, {width - 0.0029f, 0.1f}}, {});
+  const std::vector<FrameContact> contacts = contactsOf(frame, scene);
+  ASSERT_EQ(contacts.size(), 2u);
+  for (const FrameContact& c : contacts) EXPECT_NEAR(c.force, 0.2, 2e-3);
+  EXPECT_EQ(contacts[0].from, frame.position[0]);
+  EXPECT_NEAR(contacts[0].to.x, -0.0029f, 1e-7);
+  EXPECT_EQ(contacts[1].to, frame.position[1]);
+  EXPECT_NEAR(contacts[1].from.x, width + 0.001f, 1e-7);
+}
+
 TEST(Forces, AreFoundWhereverParticlesAre) {
   Scene scene = test::gaslessBed();
   Frame frame = test::movingFrame(scene);   // at 1.25 diameters

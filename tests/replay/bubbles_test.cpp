@@ -57,6 +57,25 @@ TEST_F(DiscsOfGas, HaveTheirSizeAndSpeed) {
   EXPECT_NEAR(at(tableOf(analysis, "bubble_profile"), "bubbles", 4), 3.0 / 11.0, 1e-9);
 }
 
+// One that the seam goes through is one, wherever it goes.
+TEST_F(DiscsOfGas, GoOnBeyondPeriodicSides) {
+  scene.bed.sides = BedSides::periodic;
+  Bubbles analysis({scene, 11, 0.01});
+  for (int i = 0; i <= 10; ++i) {
+    const double x = 0.044 + 0.0008 * i, y = 0.03 + 0.004 * i;
+    analysis.accept(frame(0.01 * i, {{{x, y}, 0.008}, {{x - 0.048, y}, 0.008}}));
+  }
+  EXPECT_EQ(found(analysis, "bubbles"), 1.0);
+  EXPECT_NEAR(found(analysis, "bubble_diameter"), 0.016, 0.0004);
+  EXPECT_NEAR(found(analysis, "bubble_rise"), 0.4, 1e-9);
+  const Table table = tableOf(analysis, "bubbles");
+  ASSERT_EQ(table.rows(), 11u);
+  for (std::size_t r = 0; r < table.rows(); ++r) {
+    const double x = 0.044 + 0.0008 * static_cast<double>(r);
+    EXPECT_NEAR(std::remainder(at(table, "x", r) - x, 0.048), 0.0, 0.001);
+  }
+}
+
 TEST_F(DiscsOfGas, StandBesideTheCorrelations) {
   Bubbles analysis({scene, 1, 0.01});
   analysis.accept(frame(0.0, {{{0.024, 0.05}, 0.008}}));

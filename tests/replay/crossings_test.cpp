@@ -33,6 +33,16 @@ TEST(Crossings, NetFluxIsTheChangeOfTheMassAbove) {
   }
 }
 
+TEST(Crossings, WhoGoesAroundPeriodicSidesDoesNotCrossTheMiddle) {
+  Scene scene = syntheticScene(false, false, 1);
+  for (const BedSides sides : {BedSides::walls, BedSides::periodic}) {
+    scene.bed.sides = sides;
+    Crossings analysis({scene, 3, 0.01});
+    for (int i = 0; i < 3; ++i) analysis.accept(frameOf(0.01 * i, {{i % 2 ? 0.046 : 0.002, 0.01}}));
+    EXPECT_EQ(tableOf(analysis, "flux_vertical").rows() == 0, sides == BedSides::periodic);
+  }
+}
+
 TEST(Crossings, CountEachWayByItself) {
   // One particle goes up at the left in three frames, over the middle at 30 mm, and down at the right.
   const Scene scene = syntheticScene(false, false, 1);

@@ -44,6 +44,27 @@ TEST(Dispersion, OfFlightsGrowsWithTheSquareOfTheLag) {
   }
 }
 
+// Who goes around and around between periodic sides gets ever further.
+TEST(Dispersion, GoesOnAroundPeriodicSides) {
+  Scene scene = syntheticScene(false, false);
+  scene.bed.sides = BedSides::periodic;
+  Dispersion analysis({scene, 40, 0.01});
+  for (int i = 0; i < 40; ++i) {
+    std::vector<Vec2> places;
+    for (int p = 0; p < 100; ++p) {
+      const double x = 0.01 + (p % 2 ? 8e-3 : -8e-3) * i;
+      places.push_back({x - 0.048 * std::floor(x / 0.048), 0.01});
+    }
+    analysis.accept(frameOf(0.01 * i, places));
+  }
+  const Table table = tableOf(analysis, "dispersion");
+  ASSERT_EQ(table.rows(), 20u);  // the last of them after three rounds
+  for (std::size_t r = 0; r < table.rows(); ++r) {
+    const double lag = at(table, "lag", r), msd = 0.8 * 0.8 * lag * lag * 100.0 / 99.0;
+    EXPECT_NEAR(at(table, "msd_x", r), msd, 1e-4 * msd);
+  }
+}
+
 TEST(Dispersion, OfNothingIsNotDefined) {
   const Scene scene = syntheticScene(false, false);
   Dispersion analysis({scene, 1, 0.0});

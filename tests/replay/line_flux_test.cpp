@@ -33,6 +33,24 @@ TEST(LineFlux, NetThroughALineAcrossTheBedIsTheChangeOfMassBehindIt) {
   }
 }
 
+// Beside the seam: out at one side, in at the other.
+TEST(LineFlux, GoesAroundPeriodicSides) {
+  Scene scene = syntheticScene(false, false, 1);
+  scene.bed.sides = BedSides::periodic;
+  const double one = particleMass(scene) / (0.01 * 0.05 * scene.bed.thickness);
+  const auto through = [&](double x, Vec2 from, Vec2 to) {
+    LineFlux flux({scene, 2, 0.01}, {{x, 0.0}, {x, 0.05}}, "line_1");
+    flux.accept(frameOf(0.0, {from}));
+    flux.accept(frameOf(0.01, {to}));
+    return at(tableOf(flux, "line_1"), "flux", 0);
+  };
+  for (const double x : {0.001, 0.047}) {
+    EXPECT_NEAR(through(x, {0.046, 0.02}, {0.002, 0.03}), -one, 1e-9 * one);
+    EXPECT_NEAR(through(x, {0.002, 0.02}, {0.046, 0.03}), one, 1e-9 * one);
+  }
+  EXPECT_EQ(through(0.024, {0.046, 0.02}, {0.002, 0.03}), 0.0);  // not through the middle
+}
+
 TEST(LineFlux, CountsWhatPassesBetweenItsEndsAndWhichWay) {
   const Scene scene = syntheticScene(false, false, 1);
   const FluxLine upright{{0.02, 0.0}, {0.02, 0.05}};
