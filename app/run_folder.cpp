@@ -56,7 +56,7 @@ Result<RunFolder> makeRunFolder(const fs::path& path, bool force) {
         "--force to replace that (other files in it are kept)"};
   const RunFolder old{path};
   for (const fs::path& file : {old.trajectory(), old.mixing(), old.flux(), old.pressure(), old.heat(),
-                               old.feed(), old.summary(), old.video()}) {
+                               old.reaction(), old.feed(), old.summary(), old.video()}) {
     fs::remove(file, error);
     if (error) return trouble(file, fmt::format("cannot be removed: {}", error.message()));
   }

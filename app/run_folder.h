@@ -18,6 +18,7 @@ struct RunFolder {
   std::filesystem::path flux() const { return path / "flux.csv"; }
   std::filesystem::path pressure() const { return path / "pressure.csv"; }
   std::filesystem::path heat() const { return path / "heat.csv"; }
+  std::filesystem::path reaction() const { return path / "reaction.csv"; }
   std::filesystem::path feed() const { return path / "feed.csv"; }
   std::filesystem::path summary() const { return path / "summary.json"; }
   std::filesystem::path video() const { return path / "video.mp4"; }

@@ -26,6 +26,8 @@ Result<Series> openSeries(const RunFolder& folder, const Scene& scene) {
   if (scene.flux) keep(FluxLog::create(folder.flux(), scene), series, problems);
   if (scene.gas) keep(PressureLog::create(folder.pressure(), scene), series, problems);
   if (scene.effects.find<HeatSettings>()) keep(HeatLog::create(folder.heat(), scene), series, problems);
+  if (scene.effects.find<ReactionSettings>())
+    keep(ReactionLog::create(folder.reaction(), scene), series, problems);
   if (scene.effects.find<FeedSettings>()) keep(FeedLog::create(folder.feed(), scene), series, problems);
   if (!problems.empty()) return problems;
   return series;
@@ -37,6 +39,7 @@ std::vector<std::string> seriesNames(const Scene& scene) {
   if (scene.flux) names.push_back(files.flux().stem());
   if (scene.gas) names.push_back(files.pressure().stem());
   if (scene.effects.find<HeatSettings>()) names.push_back(files.heat().stem());
+  if (scene.effects.find<ReactionSettings>()) names.push_back(files.reaction().stem());
   if (scene.effects.find<FeedSettings>()) names.push_back(files.feed().stem());
   return names;
 }

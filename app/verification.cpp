@@ -81,10 +81,12 @@ std::optional<std::string> difference(const std::vector<T>& is, const std::vecto
 }
 
 std::optional<std::string> difference(const Frame& is, const Frame& was) {
+  if (is.id != was.id) return "there are other particles than were recorded";
   if (auto d = difference(is.position, was.position, "x/y", "particle")) return d;
   if (auto d = difference(is.velocity, was.velocity, "v_x/v_y", "particle")) return d;
   if (auto d = difference(is.angularVelocity, was.angularVelocity, "spin", "particle")) return d;
   if (auto d = difference(is.temperature, was.temperature, "temperature", "particle")) return d;
+  if (auto d = difference(is.content, was.content, "content", "particle")) return d;
   if (auto d = difference(is.gas.temperature, was.gas.temperature, "temperature", "gas cell")) return d;
   if (auto d = difference(is.gas.voidage, was.gas.voidage, "voidage", "gas cell")) return d;
   if (auto d = difference(is.gas.pressure, was.gas.pressure, "pressure", "gas cell")) return d;

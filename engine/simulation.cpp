@@ -144,6 +144,7 @@ struct Simulation::State {
   std::unique_ptr<CoupledGas> gas;
   std::vector<std::unique_ptr<EffectStage>> effects;
   std::vector<std::uint8_t> species;       // by row
+  std::vector<double> temperature;         // K, by row; empty without heat
   std::optional<ParticleStep> chosenStep;  // where the scene gives none
   std::int64_t step = 0, particleSteps = 0, gasSteps = 0;
   std::int64_t stretch = 0;     // ticks from one gas step, or choice of steps, to the next
@@ -309,8 +310,9 @@ Simulation::Simulation(const Scene& scene, Particles start, std::unique_ptr<Thre
   s.solver = ParticleSolver::make(scene, std::move(start), allWalls(scene), *s.team);
   if (scene.time.step.isAutomatic()) s.chosenStep.emplace(scene);
   if (scene.gas) s.gas = std::make_unique<CoupledGas>(scene, s.solver->particles(), *s.team);
-  s.effects = effectStages({s.scene, *s.solver, s.gas ? &s.gas->solver : nullptr,
-                            s.gas ? &s.gas->voidage : nullptr, s.gas ? &s.gas->exchange : nullptr, *s.team});
+  s.effects =
+      effectStages({s.scene, *s.solver, s.gas ? &s.gas->solver : nullptr, s.gas ? &s.gas->voidage : nullptr,
+                    s.gas ? &s.gas->exchange : nullptr, *s.team, s.temperature});
   s.stretch = s.stretchEnd = s.nextStretch();
   if (s.gas) s.gas->start(static_cast<double>(s.stretch) * tick(scene));
   setTracer(scene.tracer.rule);

@@ -92,6 +92,8 @@ void drawParticles(DrawList& list, const BedView& view, const History& history) 
       return addDiscs(list, view, [&](std::size_t i) {
         return warmth(range.share(static_cast<double>(frame.temperature[i])));
       });
+    case ParticleColor::content:
+      return addDiscs(list, view, [&](std::size_t i) { return mapped(frame.content[i]); });
     case ParticleColor::id:
       return addDiscs(list, view, [&](std::size_t i) { return mapped(frame.id[i]); });
     case ParticleColor::height:

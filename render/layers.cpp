@@ -50,6 +50,9 @@ std::vector<Diagnostic> missingFor(const Scene& scene, const Frame& frame, const
   if (style.layers.has(Layer::particles) && needsHeat(style.color) &&
       frame.temperature.size() != frame.size())
     lacks("the colour 'temperature' needs temperatures, but there are none in the frame");
+  if (style.layers.has(Layer::particles) && style.color == ParticleColor::content &&
+      frame.content.size() != frame.size())
+    lacks("the colour 'content' needs a content, but there is none in the frame");
   if (style.layers.has(Layer::particles) && style.color == ParticleColor::spin &&
       frame.angularVelocity.size() != frame.size())
     lacks("the colour 'spin' needs angular velocities, but there are none in the frame");

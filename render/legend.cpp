@@ -105,6 +105,8 @@ void drawParticleColors(Column& column, const Scene& scene, const Style& style, 
       return column.colorBar("voidage there", range, disc);
     case ParticleColor::temperature:
       return column.colorBar("particles, K", range, warmth);
+    case ParticleColor::content:
+      return column.colorBar("content, kg/kg", range, disc);
     case ParticleColor::id:
       return column.colorBar("particle", range, disc);
     case ParticleColor::kind: {

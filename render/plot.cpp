@@ -27,6 +27,7 @@ constexpr std::array fluxColumns{PlotColumn{"flux", "solids flux"}};
 constexpr std::array pressureColumns{PlotColumn{"pressure_drop", "pressure drop"}};
 constexpr std::array heatColumns{PlotColumn{"particle_temperature", "particles"},
                                  PlotColumn{"outlet_temperature", "gas at the outlet"}};
+constexpr std::array reactionColumns{PlotColumn{"content", "content"}};
 constexpr std::array feedColumns{PlotColumn{"particles", "in the bed"}, PlotColumn{"left", "left so far"}};
 constexpr std::array residenceColumns{PlotColumn{"share", "left after"},
                                       PlotColumn{"stirred", "stirred tank"}};
@@ -37,6 +38,7 @@ const std::array kinds{
     PlotKind{"flux", "flux.csv", fluxColumns, "solids flux leftward, kg/(m\u00b2 s)"},
     PlotKind{"pressure", "pressure.csv", pressureColumns, "pressure drop, Pa"},
     PlotKind{"heat", "heat.csv", heatColumns, "temperature, K"},
+    PlotKind{"reaction", "reaction.csv", reactionColumns, "content, kg/kg"},
     PlotKind{"feed", "feed.csv", feedColumns, "particles"},
     PlotKind{"residence", "residence_times.csv", residenceColumns, "share of the particles", 0.0, 1.0},
 };

@@ -59,6 +59,7 @@ ColorRange colorRange(const Scene& scene, ParticleColor color) {
   if (color == ParticleColor::speed) return {0.0, roundUp(1.2 * typicalSpeed(scene))};
   if (color == ParticleColor::voidage) return colorRange(scene, Layer::voidage);
   if (color == ParticleColor::temperature) return temperatureRange(scene);
+  if (color == ParticleColor::content) return {0.0, scene.effects.find<ReactionSettings>()->content};
   if (color == ParticleColor::id)
     return {0.0, static_cast<double>(std::max<std::int64_t>(scene.particles.count - 1, 1))};
   if (color != ParticleColor::spin) return {};

@@ -22,8 +22,8 @@ struct ColorRange {
 /// temperature (K, as of the particles).
 ColorRange colorRange(const Scene& scene, Layer field);
 /// Of the particles: speed (m/s, 0 to somewhat more than sqrt(g width)), spin (rad/s, even
-/// about 0), voidage, temperature (K, between all that the scene names), id, or the share of the way through
-/// the classes.
+/// about 0), voidage, temperature (K, between all that the scene names), content, id, or the share of the way
+/// through the classes.
 ColorRange colorRange(const Scene& scene, ParticleColor color);
 
 /// How long the arrows of velocity, flow or gas are in the bed: metres per m/s.

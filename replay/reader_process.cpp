@@ -108,8 +108,9 @@ void fill(Frame& frame, const RunPreamble& run, std::size_t index, const float* 
   const bool isFed = run.scene.effects.find<FeedSettings>() != nullptr;
   const bool friction = run.scene.contacts.friction.has_value();
   const bool heat = run.scene.effects.find<HeatSettings>() != nullptr;
+  const bool reaction = run.scene.effects.find<ReactionSettings>() != nullptr;
   const auto room = static_cast<std::size_t>(mostParticles(run.scene));
-  const std::size_t n = isFed ? countFed(numbers, 4 + friction + heat, room) : room;
+  const std::size_t n = isFed ? countFed(numbers, 4 + friction + heat + reaction, room) : room;
   frame.step = constants.steps[index];
   frame.time = constants.times[index];
   if (!isFed && frame.id.size() != n) {
@@ -122,6 +123,7 @@ void fill(Frame& frame, const RunPreamble& run, std::size_t index, const float* 
   take(numbers, n, room, frame.velocity);
   if (friction) take(numbers, n, room, frame.angularVelocity);
   if (heat) take(numbers, n, room, frame.temperature);
+  if (reaction) take(numbers, n, room, frame.content);
   if (isFed) takeFed(numbers, n, room, isMixed(run.scene), frame);
   if (run.scene.gas) {
     const GasGrid grid = makeGasGrid(run.scene);

@@ -54,6 +54,16 @@ std::optional<Diagnostic> HeatLog::write(const Frame& frame) {
   return csv_.row({frame.time, meanTemperature(frame, scene_), outlet, particleHeat(frame, scene_)});
 }
 
+Result<ReactionLog> ReactionLog::create(const std::filesystem::path& path, const Scene& scene) {
+  Result<CsvWriter> csv = CsvWriter::create(path, "time,content");
+  if (!csv) return csv.problems;
+  return ReactionLog(std::move(*csv), scene);
+}
+
+std::optional<Diagnostic> ReactionLog::write(const Frame& frame) {
+  return csv_.row({frame.time, meanContent(frame, scene_)});
+}
+
 Result<FeedLog> FeedLog::create(const std::filesystem::path& path, const Scene& scene) {
   Result<CsvWriter> csv = CsvWriter::create(path, "time,particles,mass,entered,left");
   if (!csv) return csv.problems;

@@ -74,6 +74,20 @@ class HeatLog final : public FileSink {
   std::optional<GasGrid> grid_;
 };
 
+/// reaction.csv: what the particles' mass holds of the content on average, kg/kg; empty without particles.
+/// The scene must have a reaction.
+class ReactionLog final : public FileSink {
+ public:
+  static Result<ReactionLog> create(const std::filesystem::path& path, const Scene& scene);
+
+ private:
+  ReactionLog(CsvWriter csv, const Scene& scene) : csv_(std::move(csv)), scene_(scene) {}
+  std::optional<Diagnostic> write(const Frame& frame) override;
+
+  CsvWriter csv_;
+  Scene scene_;
+};
+
 /// feed.csv: particles there and their mass, kg; those who have come in and gone since the run began. The
 /// scene must have a feed.
 class FeedLog final : public FileSink {

@@ -85,7 +85,9 @@ std::size_t numbersPerFrame(const Scene& scene) {
   const auto particles = static_cast<std::size_t>(mostParticles(scene));
   const bool heat = scene.effects.find<HeatSettings>() != nullptr;
   const std::size_t fed = scene.effects.find<FeedSettings>() ? (isMixed(scene) ? 4 : 2) : 0;
-  const std::size_t ofParticles = particles * (4 + (scene.contacts.friction ? 1 : 0) + (heat ? 1 : 0) + fed);
+  const std::size_t reaction = scene.effects.find<ReactionSettings>() ? 1 : 0;
+  const std::size_t ofParticles =
+      particles * (4 + (scene.contacts.friction ? 1 : 0) + (heat ? 1 : 0) + reaction + fed);
   if (!scene.gas) return ofParticles;
   const GasGrid grid = makeGasGrid(scene);
   return ofParticles +
@@ -102,6 +104,8 @@ TrajectoryInput::TrajectoryInput(const Hdf5Input& in, const Scene& scene)
     angularVelocity_.emplace(in.series(valueOf(layout::angularVelocity), {particles_}));
   if (scene.effects.find<HeatSettings>())
     temperature_.emplace(in.series(valueOf(layout::temperature), {particles_}));
+  if (scene.effects.find<ReactionSettings>())
+    content_.emplace(in.series(valueOf(layout::content), {particles_}));
   if (scene.effects.find<FeedSettings>()) fed_.emplace(openFed(in, scene));
   if (scene.gas) gas_.emplace(openGas(in, scene));
   readTimes();
@@ -136,7 +140,7 @@ void TrajectoryInput::readTimes() {
   const Hdf5Values step = in_.series(layout::position + std::string("/step"), {});
   const Hdf5Values time = in_.series(layout::position + std::string("/time"), {});
   hsize_t frames = std::min({step.rows(), time.rows(), position_.rows(), velocity_.rows()});
-  for (const auto* series : {&angularVelocity_, &temperature_})
+  for (const auto* series : {&angularVelocity_, &temperature_, &content_})
     if (*series) frames = std::min(frames, (*series)->rows());
   if (fed_) frames = std::min({frames, fed_->id.rows(), fed_->species.rows()});
   if (fed_ && fed_->kind) frames = std::min({frames, fed_->radius->rows(), fed_->kind->rows()});
@@ -210,7 +214,7 @@ void TrajectoryInput::readKinds() {
 void TrajectoryInput::readFrame(std::size_t index, float* into) const {
   into = readFloats(position_, index, into);
   into = readFloats(velocity_, index, into);
-  for (const auto* series : {&angularVelocity_, &temperature_})
+  for (const auto* series : {&angularVelocity_, &temperature_, &content_})
     if (*series) into = readFloats(**series, index, into);
   if (fed_) into = readFed(index, into);
   if (!gas_) return;

@@ -71,7 +71,7 @@ class TrajectoryInput {
   const Hdf5Input& in_;
   hsize_t particles_;
   Hdf5Values position_, velocity_;
-  std::optional<Hdf5Values> angularVelocity_, temperature_;
+  std::optional<Hdf5Values> angularVelocity_, temperature_, content_;
   std::optional<FedSeries> fed_;  // with a feed
   std::size_t kinds_;             // of particles
   std::optional<GasSeries> gas_;

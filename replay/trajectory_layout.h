@@ -14,6 +14,7 @@
 //   particles/all/velocity       value[T][N][2] float, m/s
 //   particles/all/angular_velocity  value[T][N] float, rad/s; only with friction
 //   particles/all/temperature    value[T][N] float, K; only with heat
+//   particles/all/content        value[T][N] float, kg/kg; only with reaction
 //   particles/all/species        [N], 1 = tracer
 //   particles/all/id             [N]
 //   particles/all/radius         [N] float, m; only where particles differ, like kind
@@ -45,6 +46,7 @@ inline constexpr const char* position = "particles/all/position";
 inline constexpr const char* velocity = "particles/all/velocity";
 inline constexpr const char* angularVelocity = "particles/all/angular_velocity";
 inline constexpr const char* temperature = "particles/all/temperature";
+inline constexpr const char* content = "particles/all/content";
 inline constexpr const char* species = "particles/all/species";
 inline constexpr const char* id = "particles/all/id";
 inline constexpr const char* radius = "particles/all/radius";

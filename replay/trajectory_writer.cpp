@@ -167,6 +167,7 @@ struct TrajectoryWriter::State {
     add<float>(layout::velocity, {n, 2}, rowsOf(&Frame::velocity));
     if (scene.contacts.friction) add<float>(layout::angularVelocity, {n}, rowsOf(&Frame::angularVelocity));
     if (scene.effects.find<HeatSettings>()) add<float>(layout::temperature, {n}, rowsOf(&Frame::temperature));
+    if (scene.effects.find<ReactionSettings>()) add<float>(layout::content, {n}, rowsOf(&Frame::content));
     if (!isFed) return;
     add<std::int32_t>(layout::id, {n}, rowsOf(&Frame::id, -1));
     add<std::uint8_t>(layout::species, {n}, rowsOf(&Frame::species));

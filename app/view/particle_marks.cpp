@@ -62,6 +62,7 @@ std::vector<PanelFact> particleFacts(const ViewBed& bed, std::int32_t id) {
     facts.push_back({"spin", fmt::format("{:.3g} rad/s", frame.angularVelocity[*row])});
   if (!frame.temperature.empty())
     facts.push_back({"temperature", fmt::format("{:.1f} K", frame.temperature[*row])});
+  if (!frame.content.empty()) facts.push_back({"content", fmt::format("{:.4f}", frame.content[*row])});
   return facts;
 }
 

@@ -44,15 +44,27 @@ double bedHeight(const Frame& frame, const Scene& scene) {
   return *at + 0.5 * scene.particles.diameter;
 }
 
-std::optional<double> meanTemperature(const Frame& frame, const Scene& scene) {
+namespace {
+
+/// By mass.
+std::optional<double> meanOver(const Frame& frame, const Scene& scene, const std::vector<float>& values) {
   double mass = 0.0, sum = 0.0;
   for (std::size_t i = 0; i < frame.size(); ++i) {
     const double m = massOf(scene, frame, i);
     mass += m;
-    sum += m * static_cast<double>(frame.temperature[i]);
+    sum += m * static_cast<double>(values[i]);
   }
   if (!(mass > 0.0)) return std::nullopt;
   return sum / mass;
+}
+
+}  // namespace
+
+std::optional<double> meanTemperature(const Frame& frame, const Scene& scene) {
+  return meanOver(frame, scene, frame.temperature);
+}
+std::optional<double> meanContent(const Frame& frame, const Scene& scene) {
+  return meanOver(frame, scene, frame.content);
 }
 
 double outletTemperature(const Frame& frame, const GasGrid& grid) {

@@ -27,6 +27,8 @@ double bedHeight(const Frame& frame, const Scene& scene);
 /// Of particles by their mass, and of what leaves at the top, by its flow: mean temperatures, K. Where
 /// nothing leaves, that of the topmost cells; none without particles. The frame must have temperatures.
 std::optional<double> meanTemperature(const Frame& frame, const Scene& scene);
+/// By mass as well, kg/kg. The frame must have a content.
+std::optional<double> meanContent(const Frame& frame, const Scene& scene);
 double outletTemperature(const Frame& frame, const GasGrid& grid);
 /// Heat that the particles hold above what they would at heat.temperature, J.
 double particleHeat(const Frame& frame, const Scene& scene);

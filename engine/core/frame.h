@@ -30,6 +30,7 @@ struct Frame {
   std::vector<Vec2f> velocity;         // m/s
   std::vector<float> angularVelocity;  // rad/s, counter-clockwise; empty where the scene has no friction
   std::vector<float> temperature;      // K; empty where the scene has no heat
+  std::vector<float> content;          // kg/kg; empty where the scene has no reaction
   std::vector<std::uint8_t> species;   // 1 = tracer (black), 0 = the rest (green)
   std::vector<std::int32_t> id;        // other programs' particles enter and leave: follow them by it
   /// Of particles that are not all alike; else empty.

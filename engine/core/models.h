@@ -59,6 +59,8 @@ enum class ShearLift { mei, saffman, none };
 enum class SpinLift { lunLiu, rubinowKeller, none };
 /// What others around a particle do to its virtual mass.
 enum class Crowding { zuber, none };
+/// How a content of particles goes.
+enum class ReactionModel { firstOrder, constantRate };
 
 /// How much a run may err and cost; see presets.h for what each stands for.
 enum class Accuracy { draft, standard, paper, reference };
@@ -174,6 +176,11 @@ inline constexpr std::array modelTable<RollingModel>{
               "Ai, Chen, Rotter & Ooi (2011), Powder Technol. 206:269"},
     ModelInfo{"constant-torque", "mu_r R F_n against the relative spin (type A)",
               "Ai, Chen, Rotter & Ooi (2011), Powder Technol. 206:269"},
+};
+template <>
+inline constexpr std::array modelTable<ReactionModel>{
+    ModelInfo{"first-order", "dX/dt = -k X", ""},
+    ModelInfo{"constant-rate", "dX/dt = -k until none is left, as a wet surface dries", ""},
 };
 template <>
 inline constexpr std::array modelTable<SizeDistribution>{

@@ -44,6 +44,10 @@ std::vector<Contradiction> contradictions(const Scene& scene, const PictureSetti
         fmt::format(
             "the colour 'temperature' needs temperatures, but scene '{}' has no [heat]; choose another",
             scene.name));
+  if (pictures.color == ParticleColor::content && !scene.effects.find<ReactionSettings>())
+    add("pictures.color", {"reaction"},
+        fmt::format("the colour 'content' needs a content, but scene '{}' has no [reaction]; choose another",
+                    scene.name));
   if (pictures.layers.has(Layer::trails) && pictures.trails.empty())
     add("pictures.layers", {"pictures.trails"},
         "the layer 'trails' follows chosen particles, and none are; give their numbers in trails");

@@ -32,7 +32,7 @@ enum class Layer {
 };
 
 /// What colours the particles.
-enum class ParticleColor { tracer, speed, spin, voidage, temperature, id, kind, height, strips };
+enum class ParticleColor { tracer, speed, spin, voidage, temperature, content, id, kind, height, strips };
 
 template <>
 inline constexpr std::array modelTable<Layer>{
@@ -63,6 +63,7 @@ inline constexpr std::array modelTable<ParticleColor>{
     ModelInfo{"spin", "by angular velocity, counter-clockwise positive", ""},
     ModelInfo{"voidage", "by the voidage at the particle", ""},
     ModelInfo{"temperature", "by temperature", ""},
+    ModelInfo{"content", "by what [reaction] has left of the content", ""},
     ModelInfo{"id", "by number", ""},
     ModelInfo{"kind", "by kind of particles", ""},
     ModelInfo{"height", "in classes of the height at the start, each of as many particles", ""},

@@ -51,6 +51,7 @@ constexpr std::array fixedSettings{
     Fixed{"sampling.interval", "frames fall on it"},
     Fixed{"heat.temperature", "the particles have begun with it"},
     Fixed{"heat.tracer_temperature", "the tracer has begun with it"},
+    Fixed{"reaction.content", "the particles have begun with it"},
     Fixed{"feed.most", "room has been made for as many"},
     Fixed{"feed.streams.species", filled},
 };

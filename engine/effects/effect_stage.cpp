@@ -4,6 +4,7 @@
 #include "engine/effects/feed_stage.h"
 #include "engine/effects/heat_stage.h"
 #include "engine/effects/lift_stage.h"
+#include "engine/effects/reaction_stage.h"
 #include "engine/effects/virtual_mass_stage.h"
 
 #include <array>
@@ -15,9 +16,9 @@ namespace {
 using Make = std::unique_ptr<EffectStage> (*)(const EffectContext&);
 
 /// Each makes its stage, or none where the scene does not have its table.
-constexpr std::array<Make, 4> makers{
-    FeedStage::make,
-    HeatStage::make,
+constexpr std::array<Make, 5> makers{
+    FeedStage::make,        HeatStage::make,
+    ReactionStage::make,     // at the temperature that this has found
     VirtualMassStage::make,  // before any other that adds to the particles' forces
     LiftStage::make,
 };

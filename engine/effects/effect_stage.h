@@ -29,6 +29,8 @@ struct EffectContext {
   VoidageField* voidage;
   Exchange* exchange;
   ThreadTeam& team;
+  /// Of particles, K, by row of the roster; empty without heat.
+  std::vector<double>& temperature;
 };
 
 /// An effect at work, as part of every gas step; without gas, of every stretch of particle steps. Those that

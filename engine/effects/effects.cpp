@@ -61,6 +61,14 @@ std::string cohesionNote(const Scene& scene) {
 bool hasHeat(const Scene& scene) { return scene.effects.find<HeatSettings>() != nullptr; }
 std::string heatNoteOf(const Scene& scene) { return hasHeat(scene) ? heatNote(scene) : "no table [heat]"; }
 
+bool hasReaction(const Scene& scene) { return scene.effects.find<ReactionSettings>() != nullptr; }
+std::string reactionNote(const Scene& scene) {
+  const ReactionSettings* reaction = scene.effects.find<ReactionSettings>();
+  if (!reaction) return "no table [reaction]";
+  return fmt::format("content {:g}, {}, rate {:g} 1/s", reaction->content, modelName(reaction->model),
+                     reaction->rate);
+}
+
 bool hasFeed(const Scene& scene) { return scene.effects.find<FeedSettings>() != nullptr; }
 std::string feedNote(const Scene& scene) {
   const FeedSettings* feed = scene.effects.find<FeedSettings>();
@@ -123,6 +131,7 @@ constexpr std::array table{
     EffectInfo{"contacts.rolling", "rolling resistance", hasRolling, rollingNote},
     EffectInfo{"cohesion", "cohesion", hasCohesion, cohesionNote},
     EffectInfo{"heat", "heat", hasHeat, heatNoteOf},
+    EffectInfo{"reaction", "reaction", hasReaction, reactionNote},
     EffectInfo{"feed", "feed", hasFeed, feedNote},
     EffectInfo{"lift", "lift", hasLift, liftNote},
     EffectInfo{"virtual_mass", "virtual mass", hasVirtualMass, virtualMassNote},

@@ -65,10 +65,9 @@ HeatStage::HeatStage(const EffectContext& context)
       perMass_(context.scene.effects.find<HeatSettings>()->heatCapacity),
       longest_(longestBetween(context.scene)),
       contacts_(context.scene),
-      temperature_(temperaturesAtStart(context.scene, context.solver.particles())),
-      here_(temperature_.size()),
-      capacity_(temperature_.size()),
-      flow_(temperature_.size()) {
+      temperature_(context.temperature) {
+  temperature_ = temperaturesAtStart(context.scene, context.solver.particles());
+  for (auto* column : {&here_, &capacity_, &flow_}) column->resize(temperature_.size());
   if (context.gas) gas_.emplace(context);
 }
 

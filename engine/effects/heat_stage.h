@@ -33,7 +33,6 @@ class HeatStage final : public EffectStage {
   void save(StateWriter& out) const override;
   [[nodiscard]] bool load(StateReader& in) override;
 
-  const std::vector<double>& temperature() const { return temperature_; }  // K, by id
   /// Of the gas; null without.
   const std::vector<double>* gasTemperature() const { return gas_ ? &gas_->energy.temperature() : nullptr; }
 
@@ -67,7 +66,7 @@ class HeatStage final : public EffectStage {
   double longest_;  // s
   ContactHeat contacts_;
   std::optional<Gas> gas_;
-  std::vector<double> temperature_;  // by id
+  std::vector<double>& temperature_;  // of the context
   // In memory: temperature, K, heat capacity, J/K, and what comes through contacts, W.
   std::vector<double> here_, capacity_, flow_;
 };

@@ -20,6 +20,7 @@ std::string particleRows(const Frame& frame) {
                    v.y);
     if (!frame.angularVelocity.empty()) fmt::format_to(out, ",{}", frame.angularVelocity[i]);
     if (!frame.temperature.empty()) fmt::format_to(out, ",{}", frame.temperature[i]);
+    if (!frame.content.empty()) fmt::format_to(out, ",{}", frame.content[i]);
     if (!frame.radius.empty()) fmt::format_to(out, ",{},{}", frame.radius[i], frame.kind[i]);
     rows += "\n";
   }
@@ -50,9 +51,11 @@ Result<std::unique_ptr<Export>> CsvExport::open(const ExportInput& input) {
   const char* const spin = input.scene.contacts.friction ? ",omega" : "";
   const bool heat = input.scene.effects.find<HeatSettings>() != nullptr;
   const char* const warm = heat ? ",temperature" : "";
+  const char* const holds = input.scene.effects.find<ReactionSettings>() ? ",content" : "";
   const char* const size = isMixed(input.scene) ? ",radius,kind" : "";
-  auto particles = GrowingFile::create(input.folder / "particles.csv",
-                                       fmt::format("time,id,species,x,y,vx,vy{}{}{}\n", spin, warm, size));
+  auto particles =
+      GrowingFile::create(input.folder / "particles.csv",
+                          fmt::format("time,id,species,x,y,vx,vy{}{}{}{}\n", spin, warm, holds, size));
   if (!particles) return std::move(particles.problems);
   std::optional<Gas> gas;
   if (input.scene.gas) {

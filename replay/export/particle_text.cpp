@@ -46,10 +46,11 @@ std::string extxyz(const Frame& frame, const Scene& scene) {
   const double depth = scene.bed.thickness;
   std::string text = fmt::format(
       "{}\nLattice=\"{} 0 0 0 {} 0 0 0 {}\" Origin=\"0 0 {}\" pbc=\"{} F F\" "
-      "Properties=species:S:1:pos:R:3:velo:R:3:radius:R:1:id:I:1{}{} Time={}\n",
+      "Properties=species:S:1:pos:R:3:velo:R:3:radius:R:1:id:I:1{}{}{} Time={}\n",
       frame.size(), scene.bed.width, scene.bed.height, depth, -depth / 2,
       scene.bed.sides == BedSides::periodic ? "T" : "F", spins ? ":omega:R:1" : "",
-      frame.temperature.empty() ? "" : ":temperature:R:1", frame.time);
+      frame.temperature.empty() ? "" : ":temperature:R:1", frame.content.empty() ? "" : ":content:R:1",
+      frame.time);
   const auto out = std::back_inserter(text);
   for (std::size_t i = 0; i < frame.size(); ++i) {
     const Vec2f at = frame.position[i], v = frame.velocity[i];
@@ -57,6 +58,7 @@ std::string extxyz(const Frame& frame, const Scene& scene) {
                    radiusOf(scene, frame, i), frame.id[i]);
     if (spins) fmt::format_to(out, " {}", frame.angularVelocity[i]);
     if (!frame.temperature.empty()) fmt::format_to(out, " {}", frame.temperature[i]);
+    if (!frame.content.empty()) fmt::format_to(out, " {}", frame.content[i]);
     text += '\n';
   }
   return text;
@@ -67,10 +69,10 @@ std::string lammps(const Frame& frame, const Scene& scene) {
   const double depth = scene.bed.thickness;
   std::string text = fmt::format(
       "ITEM: TIME\n{}\nITEM: TIMESTEP\n{}\nITEM: NUMBER OF ATOMS\n{}\n"
-      "ITEM: BOX BOUNDS {} ff ff\n0 {}\n0 {}\n{} {}\nITEM: ATOMS id type x y z vx vy vz radius{}{}\n",
+      "ITEM: BOX BOUNDS {} ff ff\n0 {}\n0 {}\n{} {}\nITEM: ATOMS id type x y z vx vy vz radius{}{}{}\n",
       frame.time, frame.step, frame.size(), scene.bed.sides == BedSides::periodic ? "pp" : "ff",
       scene.bed.width, scene.bed.height, -depth / 2, depth / 2, spins ? " omegaz" : "",
-      frame.temperature.empty() ? "" : " temperature");
+      frame.temperature.empty() ? "" : " temperature", frame.content.empty() ? "" : " content");
   const auto out = std::back_inserter(text);
   for (std::size_t i = 0; i < frame.size(); ++i) {
     const Vec2f at = frame.position[i], v = frame.velocity[i];
@@ -78,6 +80,7 @@ std::string lammps(const Frame& frame, const Scene& scene) {
                    radiusOf(scene, frame, i));
     if (spins) fmt::format_to(out, " {}", frame.angularVelocity[i]);
     if (!frame.temperature.empty()) fmt::format_to(out, " {}", frame.temperature[i]);
+    if (!frame.content.empty()) fmt::format_to(out, " {}", frame.content[i]);
     text += '\n';
   }
   return text;

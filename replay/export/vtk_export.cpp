@@ -60,6 +60,7 @@ std::string particleFile(const Frame& frame, const Scene& scene) {
   file.array("velocity", all(inSpace(frame.velocity)), 3);
   if (!frame.angularVelocity.empty()) file.array("angular_velocity", all(frame.angularVelocity));
   if (!frame.temperature.empty()) file.array("temperature", all(frame.temperature));
+  if (!frame.content.empty()) file.array("content", all(frame.content));
   file.array("species", all(frame.species));
   file.array("id", all(frame.id));
   file.array("diameter", all(diameters(frame, scene)));

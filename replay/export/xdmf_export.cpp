@@ -78,6 +78,8 @@ std::string particleGrid(const Place& at, const Scene& scene, double time) {
     xml += attribute("angular_velocity", "Scalar", "Node", at.row(layout::angularVelocity, {n}));
   if (scene.effects.find<HeatSettings>())
     xml += attribute("temperature", "Scalar", "Node", at.row(layout::temperature, {n}));
+  if (scene.effects.find<ReactionSettings>())
+    xml += attribute("content", "Scalar", "Node", at.row(layout::content, {n}));
   xml += attribute("species", "Scalar", "Node",
                    at.fixed(layout::species, "NumberType=\"UChar\" Precision=\"1\"", n));
   xml += attribute("id", "Scalar", "Node", at.fixed(layout::id, "NumberType=\"Int\" Precision=\"4\"", n));

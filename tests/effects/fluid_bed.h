@@ -24,6 +24,7 @@ struct FluidBed {
   std::unique_ptr<GasSolver> gas;
   std::unique_ptr<VoidageField> voidage;
   std::unique_ptr<Exchange> exchange;
+  std::vector<double> temperature;  // K
   std::vector<std::unique_ptr<EffectStage>> effects;
   MomentumExchange drag;  // what the gas got without the effects at the last charge
 
@@ -36,7 +37,7 @@ struct FluidBed {
     particles().addExternalForces();
     voidage->update(particles().position, particles().radii);
     gas->startWith(voidage->voidage());
-    effects = effectStages({scene, *solver, gas.get(), voidage.get(), exchange.get(), team});
+    effects = effectStages({scene, *solver, gas.get(), voidage.get(), exchange.get(), team, temperature});
   }
   Particles& particles() { return solver->particles(); }
 

@@ -42,6 +42,7 @@ struct WarmBed {
   std::unique_ptr<GasSolver> gas;
   std::unique_ptr<VoidageField> voidage;
   std::unique_ptr<Exchange> exchange;
+  std::vector<double> temperature;  // K
   std::unique_ptr<HeatStage> heat;
 
   WarmBed(const Scene& s, const std::vector<Vec2>& centres) : scene(s) {
@@ -56,7 +57,7 @@ struct WarmBed {
       gas->startWith(voidage->voidage());
     }
     heat = std::make_unique<HeatStage>(
-        EffectContext{scene, *solver, gas.get(), voidage.get(), exchange.get(), team});
+        EffectContext{scene, *solver, gas.get(), voidage.get(), exchange.get(), team, temperature});
   }
   /// Contact lists at the particles' places, which they do not leave.
   void findContacts() { ASSERT_FALSE(solver->advance(0)); }
@@ -74,7 +75,7 @@ struct WarmBed {
   }
 
   double particleHeat() const {  // J
-    const std::vector<double>& t = heat->temperature();
+    const std::vector<double>& t = temperature;
     return particleHeatCapacity(scene) * std::accumulate(t.begin(), t.end(), 0.0);
   }
   double perVolume() const {
@@ -138,10 +139,10 @@ TEST(Heat, SphereInAStreamRelaxes) {
   const double h =
       gunn(e, re, air.heatCapacity * scene.gas->viscosity / air.conductivity) * air.conductivity / d;
   const double tau = particleHeatCapacity(scene) / (h * pi * d * d);
-  const double start = bed.heat->temperature()[0] - air.temperature;
+  const double start = bed.temperature[0] - air.temperature;
   const int steps = static_cast<int>(tau / scene.gas->step);
   for (int i = 0; i < steps; ++i) bed.stepGas();
-  const double left = (bed.heat->temperature()[0] - air.temperature) / start;
+  const double left = (bed.temperature[0] - air.temperature) / start;
   // The gas around is warmed by h A over the heat capacity of what flows through a cell.
   const double warmed = h * pi * d * d / (bed.perVolume() * speed * 0.05 * 0.1);
   EXPECT_LT(warmed, 2e-3);
@@ -246,7 +247,7 @@ TEST(Heat, TouchingSpheresComeToTheirMean) {
     const double tau = particleHeatCapacity(scene) / (2.0 * (2.0 * 1.0 * area));
     const int steps = 10000;
     for (int i = 0; i < steps; ++i) bed.heat->act(tau / steps, tau / steps);
-    const std::vector<double>& t = bed.heat->temperature();
+    const std::vector<double>& t = bed.temperature;
     EXPECT_NEAR((t[0] - t[1]) / 100.0, std::exp(-1.0), 1e-4);
     EXPECT_NEAR(t[0] + t[1], 700.0, 1e-10);
   }
@@ -275,7 +276,7 @@ TEST(Heat, SphereOnAWallComesToItsTemperature) {
     WarmBed bed(scene, {{0.05, radius - overlap}});
     bed.findContacts();
     for (int i = 0; i < 10000; ++i) bed.heat->act(tau / 10000, tau / 10000);
-    EXPECT_NEAR(bed.heat->temperature()[0], adiabatic ? 300.0 : 400.0 - 100.0 * std::exp(-1.0), 0.01);
+    EXPECT_NEAR(bed.temperature[0], adiabatic ? 300.0 : 400.0 - 100.0 * std::exp(-1.0), 0.01);
   }
 }
 
@@ -293,7 +294,7 @@ TEST(Heat, CollidingParticlesKeepTheirHeat) {
   const double before = bed.particleHeat();
   const auto spread = [&] {  // mean square
     double sum = 0.0;
-    for (const double t : bed.heat->temperature()) sum += (t - 400.0) * (t - 400.0) / 60.0;
+    for (const double t : bed.temperature) sum += (t - 400.0) * (t - 400.0) / 60.0;
     return sum;
   };
   for (int i = 0; i < 4000; ++i) {
@@ -324,7 +325,7 @@ TEST(Heat, WhatIsEquallyWarmStaysSo) {
   heatOf(scene).wallTemperature = 350.0;
   WarmBed bed(scene, loosePacking());
   for (int i = 0; i < 1000; ++i) bed.step();
-  for (const double t : bed.heat->temperature()) EXPECT_NEAR(t, 350.0, 1e-9);
+  for (const double t : bed.temperature) EXPECT_NEAR(t, 350.0, 1e-9);
   for (const int c : bed.gas->layout().openCells) EXPECT_NEAR(bed.gasTemperature(c), 350.0, 1e-9);
 }
 
@@ -336,9 +337,9 @@ TEST(Heat, NothingBecomesWarmerThanWhatWarmsIt) {
   WarmBed bed(scene, loosePacking());
   for (int i = 0; i < 500; ++i) {
     bed.step();
-    for (const double t : bed.heat->temperature()) ASSERT_TRUE(t >= 350.0 - 1e-9 && t <= 500.0 + 1e-9) << t;
+    for (const double t : bed.temperature) ASSERT_TRUE(t >= 350.0 - 1e-9 && t <= 500.0 + 1e-9) << t;
   }
-  const auto& t = bed.heat->temperature();
+  const auto& t = bed.temperature;
   EXPECT_GT(*std::max_element(t.begin(), t.end()), 490.0);
 }
 

@@ -51,6 +51,8 @@ std::vector<Override> turningOn(const std::string& key) {
       changes.push_back({"heat", "{heat_capacity = 840.0, conductivity = 1.0, gas = {}}"});
     return changes;
   }
+  if (key.starts_with("reaction"))
+    return {{"reaction", "{rate = 0.5}"}, {"heat", "{heat_capacity = 840.0, conductivity = 1.0, gas = {}}"}};
   if (key.starts_with("lift")) return {{"lift", "{}"}};
   if (key.starts_with("virtual_mass")) return {{"virtual_mass", "{}"}};
   if (key.starts_with("gas.inlets.pulse")) {
@@ -110,6 +112,11 @@ const std::map<std::string, std::vector<Override>> otherValues{
     {"feed.outlets.to", {{"feed.outlets.0.to", "0.044"}}},
     {"feed.outlets.bottom", {{"feed.outlets.0.bottom", "0.01"}}},
     {"feed.outlets.top", {{"feed.outlets.0.top", "0.06"}}},
+    {"reaction.model", {{"reaction.model", "constant-rate"}}},
+    {"reaction.rate", {{"reaction.rate", "0.1"}}},
+    {"reaction.activation_energy", {{"reaction.activation_energy", "40e3"}}},
+    {"reaction.reference_temperature", {{"reaction.reference_temperature", "350.0"}}},
+    {"reaction.heat", {{"reaction.heat", "-2.4e6"}}},
     {"lift.shear", {{"lift.shear", "saffman"}}},
     {"lift.spin", {{"lift.spin", "rubinow-keller"}}},
     {"virtual_mass.coefficient", {{"virtual_mass.coefficient", "0.6"}}},

@@ -37,6 +37,17 @@ INSTANTIATE_TEST_SUITE_P(Effects, RoundTrip,
                          testing::Combine(testing::Bool(), testing::Bool(), testing::Bool(),
                                           testing::Bool()));
 
+TEST(RoundTrip, KeepsAContent) {
+  for (const bool feed : {false, true}) {
+    Scene scene = syntheticScene(true, true);
+    scene.effects.at<ReactionSettings>().emplace().rate = 1.0;
+    if (feed) addFeed(scene);
+    const TemporaryFolder folder;
+    record(folder / "trajectory.h5", scene, 20);
+    EXPECT_EQ(playBack(folder.path(), scene).frames, 20u);
+  }
+}
+
 TEST(RoundTrip, ManyFramesSplitTheTreesOfChunks) {
   const Scene scene = syntheticScene(true, false, 3);
   const TemporaryFolder folder;

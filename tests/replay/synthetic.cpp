@@ -65,6 +65,7 @@ Frame syntheticFrame(const Scene& scene, int index) {
     frame.velocity.push_back({draw(-2.0, 2.0), i % 7 == 0 ? -0.0f : draw(-1e-39, 1e-39)});
     if (scene.contacts.friction) frame.angularVelocity.push_back(draw(-1e3, 1e3));
     if (scene.effects.find<HeatSettings>()) frame.temperature.push_back(draw(250.0, 900.0));
+    if (scene.effects.find<ReactionSettings>()) frame.content.push_back(draw(0.0, 0.1));
     frame.species.push_back(i % 3 == 0);
     frame.id.push_back(isFed ? index / 2 + 2 * i : i);
     if (!isFed || !isMixed(scene)) continue;
@@ -97,8 +98,9 @@ bool sameBits(const Frame& a, const Frame& b) {
          sameBytes(a.position, b.position) && sameBytes(a.velocity, b.velocity) &&
          sameBytes(a.angularVelocity, b.angularVelocity) && sameBytes(a.temperature, b.temperature) &&
          sameBytes(a.gas.temperature, b.gas.temperature) && a.species == b.species && a.id == b.id &&
-         sameBytes(a.radius, b.radius) && a.kind == b.kind && sameBytes(a.gas.voidage, b.gas.voidage) &&
-         sameBytes(a.gas.pressure, b.gas.pressure) && sameBytes(a.gas.velocity, b.gas.velocity);
+         sameBytes(a.radius, b.radius) && sameBytes(a.content, b.content) && a.kind == b.kind &&
+         sameBytes(a.gas.voidage, b.gas.voidage) && sameBytes(a.gas.pressure, b.gas.pressure) &&
+         sameBytes(a.gas.velocity, b.gas.velocity);
 }
 
 TemporaryFolder::TemporaryFolder() {
