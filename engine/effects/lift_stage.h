@@ -19,6 +19,7 @@ class LiftStage final : public EffectStage {
   static std::unique_ptr<EffectStage> make(const EffectContext& context);
   explicit LiftStage(const EffectContext& context);
 
+  bool chargesGas() const override { return true; }
   void chargeGas(double step, MomentumExchange& exchange) override;
   void act(double passed, double step) override;
 

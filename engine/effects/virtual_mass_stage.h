@@ -29,6 +29,7 @@ class VirtualMassStage final : public EffectStage {
   static std::unique_ptr<EffectStage> make(const EffectContext& context);
   explicit VirtualMassStage(const EffectContext& context);
 
+  bool chargesGas() const override { return true; }
   void chargeGas(double step, MomentumExchange& exchange) override;
   void act(double passed, double step) override;
   void hashInto(StateHash& hash) const override;
