@@ -58,6 +58,7 @@ struct CoupledGas {
   VoidageField voidage;
   Exchange exchange;
   std::optional<GasStep> chosenStep;  // where the scene gives none
+  MomentumExchange drag;              // beside it, where effects charge the gas: what that got without them
   std::optional<InletFlow> flow;      // where what enters changes in time
 
   CoupledGas(const Scene& scene, Particles& particles, ThreadTeam& team)
@@ -219,6 +220,9 @@ std::optional<std::string> Simulation::State::gasStep() {
   gas->setStep(length);
   if (gas->flow) gas->solver.setInletFlux(gas->flow->over(timeOfStep(scene, step), length));
   gas->exchange.evaluateDrag(particles, gas->solver.exchange());
+  const bool isCharged =
+      std::any_of(effects.begin(), effects.end(), [](const auto& effect) { return effect->chargesGas(); });
+  if (isCharged && gas->chosenStep) gas->drag = gas->solver.exchange();
   for (const auto& effect : effects) effect->chargeGas(length, gas->solver.exchange());
   clock.lap(Stage::drag);
   const GasStepReport r = gas->solver.advance(gas->voidage.voidage());
@@ -238,7 +242,8 @@ std::optional<std::string> Simulation::State::gasStep() {
         r.massResidual, timeOfStep(scene, step), worstMassResidual);
 
   if (gas->chosenStep)
-    gas->chosenStep->observe(gas->solver, r, length, static_cast<double>(before) * tick(scene));
+    gas->chosenStep->observe(gas->solver, isCharged ? gas->drag : gas->solver.exchange(), r, length,
+                             static_cast<double>(before) * tick(scene));
   gas->exchange.applyForces(particles);
   clock.lap(Stage::drag);
   actOut(before);

@@ -41,10 +41,10 @@ struct FloorSettings {
 /// A circle or drum about (x, y), or a segment from (x1, y1) to (x2, y2).
 struct ObstacleSettings {
   ObstacleShape shape = ObstacleShape::circle;
-  std::optional<double> x, y, radius;    // m, of a circle or drum
-  std::optional<double> spinRpm;         // 1/min, of its surface, counter-clockwise
-  std::optional<double> x1, y1, x2, y2;  // m, of a segment
-  std::optional<double> thickness;       // m; without any it is no obstacle to the gas
+  std::optional<double> x = {}, y = {}, radius = {};         // m, of a circle or drum
+  std::optional<double> spinRpm = {};                        // 1/min, of its surface, counter-clockwise
+  std::optional<double> x1 = {}, y1 = {}, x2 = {}, y2 = {};  // m, of a segment
+  std::optional<double> thickness = {};                      // m; without any it is no obstacle to the gas
 };
 
 /// Spheres of many sizes instead of one.

@@ -35,11 +35,11 @@ void GasStep::expect(const GasSolver& gas, double fastest) {
   if (fastest > 0.0) longest_ = std::min(longest_, courantLimit_ * gas.grid().dy(0) / fastest);
 }
 
-void GasStep::observe(const GasSolver& gas, const GasStepReport& report, double step, double before) {
-  const MomentumExchange& exchange = gas.exchange();
+void GasStep::observe(const GasSolver& gas, const MomentumExchange& drag, const GasStepReport& report,
+                      double step, double before) {
   double change = 0.0, size = 0.0;
   for (std::size_t f = 0; f < drag_.size(); ++f) {
-    const double now = exchange.source[f] - exchange.coefficient[f] * gas.fields().velocity[f];
+    const double now = drag.source[f] - drag.coefficient[f] * gas.fields().velocity[f];
     change += std::abs(now - drag_[f]);
     size += std::abs(now);
     drag_[f] = now;

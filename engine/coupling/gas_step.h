@@ -27,8 +27,10 @@ class GasStep {
   /// To be called where what enters changes, to `fastest` m/s at most: the coming step is no longer than that
   /// takes for courantLimit() of a cell.
   void expect(const GasSolver& gas, double fastest);
-  /// To be called after a gas step: how that went, its length and that of the one before, s.
-  void observe(const GasSolver& gas, const GasStepReport& report, double step, double before);
+  /// To be called after a gas step: the drag on the gas alone, how the step went, its length and that of the
+  /// one before, s.
+  void observe(const GasSolver& gas, const MomentumExchange& drag, const GasStepReport& report, double step,
+               double before);
 
   void save(StateWriter& out) const;
   /// False where `in` is not what save() wrote of one of the same scene, or of one with other values.

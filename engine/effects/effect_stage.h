@@ -41,6 +41,8 @@ class EffectStage {
 
   /// The longest that a step of its may be where it has a limit of its own, s.
   virtual double longestStep() const { return std::numeric_limits<double>::infinity(); }
+  /// Whether chargeGas() does anything.
+  virtual bool chargesGas() const { return false; }
   /// Adds what the gas gets in the step (s) that comes to what it gets by drag.
   virtual void chargeGas([[maybe_unused]] double step, [[maybe_unused]] MomentumExchange& exchange) {}
   /// Before the gas looks at the particles: who comes and goes after the stretch of `passed` s that is over.

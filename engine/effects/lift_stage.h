@@ -20,6 +20,7 @@ class LiftStage final : public EffectStage {
   explicit LiftStage(const EffectContext& context);
 
   void follow(const PopulationChange& change) override;
+  bool chargesGas() const override { return true; }
   void chargeGas(double step, MomentumExchange& exchange) override;
   void act(double passed, double step) override;
 

@@ -26,6 +26,7 @@ ReactionStage::ReactionStage(const EffectContext& context)
 
 void ReactionStage::follow(const PopulationChange& change) {
   change.apply(content_, [this](const PopulationChange::Newcomer&) { return settings_.content; });
+  newcomers_ = change.come.size();
 }
 
 void ReactionStage::act(double passed, double) {
@@ -34,7 +35,7 @@ void ReactionStage::act(double passed, double) {
   const double overR = settings_.activationEnergy / gasConstant,
                perReference = 1.0 / settings_.referenceTemperature;
   const double warming = heat ? settings_.heat / heat->heatCapacity : 0.0;  // K
-  for (std::size_t i = 0; i < content_.size(); ++i) {
+  for (std::size_t i = 0; i + newcomers_ < content_.size(); ++i) {
     double rate = settings_.rate;
     if (heat) rate *= std::exp(overR * (perReference - 1.0 / std::max(temperature[i], 1.0)));
     const double left = settings_.model == ReactionModel::firstOrder
@@ -43,6 +44,7 @@ void ReactionStage::act(double passed, double) {
     if (heat) temperature[i] += warming * (content_[i] - left);
     content_[i] = left;
   }
+  newcomers_ = 0;
 }
 
 void ReactionStage::fill(Frame& frame) const { frame.content.assign(content_.begin(), content_.end()); }

@@ -30,6 +30,7 @@ class ReactionStage final : public EffectStage {
   const EffectContext context_;
   const ReactionSettings& settings_;
   std::vector<double> content_;  // by row of the roster
+  std::size_t newcomers_ = 0;    // the last ones, for whom nothing has passed yet
 };
 
 }  // namespace bedmix

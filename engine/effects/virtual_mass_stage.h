@@ -30,6 +30,7 @@ class VirtualMassStage final : public EffectStage {
   explicit VirtualMassStage(const EffectContext& context);
 
   void follow(const PopulationChange& change) override;
+  bool chargesGas() const override { return true; }
   void chargeGas(double step, MomentumExchange& exchange) override;
   void act(double passed, double step) override;
   void hashInto(StateHash& hash) const override;

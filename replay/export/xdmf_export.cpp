@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <string>
 
 namespace bedmix {
@@ -47,10 +48,11 @@ struct Place {
   }
   /// The frame's row, of these extents, of a series of floats.
   std::string row(const char* path, const std::vector<std::size_t>& extent) const {
-    std::vector<std::size_t> start(extent.size() + 1, 0), stride(start.size(), 1), count{1}, whole{frames};
+    std::vector<std::size_t> start(extent.size() + 1, 0), stride(start.size(), 1), count(start.size(), 1);
     start[0] = frame;
-    count.insert(count.end(), extent.begin(), extent.end());
-    whole.insert(whole.end(), extent.begin(), extent.end());
+    std::copy(extent.begin(), extent.end(), count.begin() + 1);
+    std::vector<std::size_t> whole = count;
+    whole[0] = frames;
     return fmt::format(
         "<DataItem ItemType=\"HyperSlab\" Dimensions=\"{}\">"
         "<DataItem Format=\"XML\" Dimensions=\"3 {}\">{} {} {}</DataItem>"

@@ -236,6 +236,27 @@ TEST(VirtualMass, ThreadsAndBreaksChangeNothing) {
   }
 }
 
+/// Steps are chosen by how fast drag changes: what collisions do to virtual mass within a step is no reason
+/// for shorter ones.
+TEST(VirtualMass, ChosenStepsAreAsLongAsWithout) {
+  Scene scene = lowScene(150, 0.1);
+  scene.gas->density = 1000.0;
+  scene.gas->viscosity = 1e-3;
+  scene.particles.density = 2500.0;
+  scene.start.arrangement = Arrangement::drop;
+  scene.time.step = scene.gas->step = StepLength::automatic();
+  scene.time.integrator = Integrator::verletOnset;
+  const auto stepsOf = [&] {
+    Simulation simulation = simulate(scene);
+    EXPECT_FALSE(simulation.advance(10 * stepsPerFrame(scene)));
+    return static_cast<double>(simulation.gasSteps());
+  };
+  const double without = stepsOf();
+  scene.effects.at<VirtualMassSettings>().emplace();
+  scene.effects.at<LiftSettings>().emplace();
+  EXPECT_LT(stepsOf(), 1.5 * without);
+}
+
 TEST(VirtualMass, NeedsGas) {
   Scene scene = lowScene(20, 1.0);
   scene.effects.at<VirtualMassSettings>().emplace();
