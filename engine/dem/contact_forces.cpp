@@ -29,7 +29,8 @@ void watchPairs(const BedState& bed, ContactBlock& block, const ContactSlots& sl
   const Particles& p = bed.particles;
   watch(bed, block, slots, range, reach, report, [&](std::size_t c) {
     const std::int32_t i = slots.first[c], j = slots.second[c];
-    const Vec2 apart = bed.contacts.period().nearest(at.body[j].position - at.body[i].position);
+    Vec2 apart = at.body[j].position - at.body[i].position;
+    if (bed.contacts.period().isOn()) apart = bed.contacts.period().nearest(apart);
     return p.radiusOf(i) + p.radiusOf(j) - norm(apart);
   });
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "engine/checkpoint.h"
+#include "engine/coupling/exchange.h"
 #include "engine/coupling/voidage.h"
 #include "engine/dem/particles.h"
 #include "tests/gas/gas_scenes.h"
@@ -91,6 +92,37 @@ TEST(CoupledSides, VoidageHoldsAllParticles) {
   const int row = 15;  // of y = 0.19
   EXPECT_NEAR(solidsIn(0, row) / particleVolume(scene), 0.5, 1e-9);
   EXPECT_NEAR(solidsIn(7, row) / particleVolume(scene), 0.5, 1e-9);
+}
+
+// What particles at the seam give goes to faces that are solved for, none of it to ghosts.
+TEST(CoupledSides, GasGetsAllThatParticlesGive) {
+  Scene scene = periodicScene(0);
+  scene.bed.top = BedTop::lid;  // no taper
+  ThreadTeam team(2);
+  GasSolver gas(scene, team);
+  VoidageField voidage(scene, gas.grid(), team);
+  Exchange exchange(scene, gas, voidage, team);
+  Particles p =
+      makeParticles(scene, {{0.0005, 0.05}, {0.0955, 0.05}, {0.0021, 0.1}, {0.0, 0.19}, {0.095, 0.3}});
+  p.velocity = {{0.3, 0.1}, {-0.2, 0.4}, {0.5, -0.6}, {-0.7, 0.2}, {0.9, 0.3}};
+  p.addExternalForces();
+  voidage.update(p.position);
+  exchange.evaluateDrag(p, gas.exchange());
+  const FaceLayout& layout = gas.layout();
+  double coefficient = 0.0, given = 0.0;
+  Vec2 got, momentum;
+  for (std::size_t i = 0; i < p.size(); ++i) {
+    given += p.drag[i];
+    momentum += p.drag[i] * p.velocity[i];
+  }
+  for (const MomentumVolume& v : layout.volumes) {
+    (v.vertical ? got.y : got.x) += gas.exchange().source[v.face];
+    if (!v.vertical) coefficient += gas.exchange().coefficient[v.face];
+  }
+  EXPECT_GT(given, 0.0);
+  EXPECT_NEAR(coefficient / given, 1.0, 1e-12);
+  EXPECT_NEAR(got.x / momentum.x, 1.0, 1e-12);
+  EXPECT_NEAR(got.y / momentum.y, 1.0, 1e-12);
 }
 
 TEST(DeterminismOfSides, ThreadsAndResume) {
