@@ -102,7 +102,8 @@ TEST(Reaction, FollowsArrhenius) {
   reactionOf(scene).activationEnergy = 43e3;
   reactionOf(scene).referenceTemperature = 320.0;
   const double rate = 3.0 * std::exp(43e3 / gasConstant * (1.0 / 320.0 - 1.0 / 350.0));
-  for (const float x : after(scene, 10000)->content) EXPECT_NEAR(x, 0.08 * std::exp(-rate * 0.1), 1e-8);
+  const FramePtr frame = after(scene, 10000);
+  for (const float x : frame->content) EXPECT_NEAR(x, 0.08 * std::exp(-rate * 0.1), 1e-8);
 }
 
 /// With gas that heats and a feed: a resumed run is the same to the bit, and what evaporates is what the
