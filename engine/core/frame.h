@@ -15,9 +15,9 @@ namespace bedmix {
 /// interstitial, averaged from the cell's faces.
 struct GasFrame {
   std::vector<float> voidage;
-  std::vector<float> pressure;     // Pa above the outlet's
-  std::vector<Vec2f> velocity;     // m/s
-  std::vector<float> temperature;  // K; empty where the scene has no heat
+  std::vector<float> pressure;          // Pa above the outlet's
+  std::vector<Vec2f> velocity;          // m/s
+  std::vector<float> temperature = {};  // K; empty where the scene has no heat
 };
 
 /// The bed at one instant, and the only thing the solver, the file, the indices and the pictures exchange.

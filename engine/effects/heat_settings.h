@@ -12,24 +12,26 @@ namespace bedmix {
 
 /// What the gas adds to [heat]; the defaults are those of air at 20 deg C.
 struct HeatGasSettings {
-  double heatCapacity = 1006.0;            // J/(kg K), at constant pressure
-  double conductivity = 0.0257;            // W/(m K)
-  double temperature = 293.15;             // K, at the start
-  std::optional<double> inletTemperature;  // K; that of the start where absent
+  double heatCapacity = 1006.0;                 // J/(kg K), at constant pressure
+  double conductivity = 0.0257;                 // W/(m K)
+  double temperature = 293.15;                  // K, at the start
+  std::optional<double> inletTemperature = {};  // K; that of the start where absent
 };
 
 /// Temperatures of particles and gas; see HeatStage.
 struct HeatSettings {
   static constexpr Key table{"heat", "", {}, "switches on temperatures of particles and gas"};
 
-  double heatCapacity = 0.0;                // J/(kg K), of the solid
-  double conductivity = 0.0;                // W/(m K), of the solid
-  double temperature = 293.15;              // K, of the particles at the start
-  std::optional<double> tracerTemperature;  // K, of the tracer at the start; that of the rest where absent
-  std::optional<double> wallTemperature;    // K; adiabatic walls where absent
-  std::optional<double> youngsModulus;  // Pa, of the real solid; contacts as wide as overlaps where absent
-  double poissonRatio = 0.25;           // of the real solid
-  std::optional<HeatGasSettings> gas;
+  double heatCapacity = 0.0;    // J/(kg K), of the solid
+  double conductivity = 0.0;    // W/(m K), of the solid
+  double temperature = 293.15;  // K, of the particles at the start
+  std::optional<double> tracerTemperature =
+      {};                                      // K, of the tracer at the start; that of the rest where absent
+  std::optional<double> wallTemperature = {};  // K; adiabatic walls where absent
+  std::optional<double> youngsModulus =
+      {};                      // Pa, of the real solid; contacts as wide as overlaps where absent
+  double poissonRatio = 0.25;  // of the real solid
+  std::optional<HeatGasSettings> gas = {};
 
   double inletTemperature() const { return gas->inletTemperature.value_or(gas->temperature); }
 };

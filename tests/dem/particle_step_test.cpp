@@ -52,7 +52,7 @@ TEST_P(ChosenSteps, KeepTheErrorOfThePartingSpeed) {
   Rng rng(3);
   double largest = 0.0;  // of what is allowed
   for (const double e : {0.05, 0.9, 1.0})
-    for (const auto [closing, error] : {std::pair{0.01, 0.01}, {0.3, 0.01}, {3.0, 0.001}, {20.0, 0.1}})
+    for (const auto& [closing, error] : {std::pair{0.01, 0.01}, {0.3, 0.01}, {3.0, 0.001}, {20.0, 0.1}})
       for (const bool wall : {false, true}) {
         Scene scene = automaticSpheres(GetParam());
         scene.contacts.restitution = e;
