@@ -6,6 +6,7 @@
 #include "app/run_report.h"
 #include "app/scene_library.h"
 #include "app/version.h"
+#include "engine/core/particle_list.h"
 #include "engine/core/presets.h"
 #include "engine/core/refinement.h"
 #include "engine/core/simd.h"
@@ -63,7 +64,7 @@ std::string threadsProblem(const std::string& text) {
 /// A film takes a core of its own, unless all are asked for.
 int solverThreads(const RunOptions& options, const Scene& scene) {
   if (options.threads != automatic) return std::stoi(options.threads);
-  return threadsFor(scene.particles.count, availableCores() - (options.video ? 1 : 0));
+  return threadsFor(mostParticles(scene), availableCores() - (options.video ? 1 : 0));
 }
 
 /// The cores the solver leaves over, at least one.

@@ -11,6 +11,7 @@
 #include "app/view/recorded_model.h"
 #include "app/view/script_player.h"
 #include "app/view/view_server.h"
+#include "engine/core/particle_list.h"
 #include "engine/core/presets.h"
 #include "engine/core/thread_team.h"
 
@@ -85,7 +86,7 @@ Result<ViewSession> makeSession(Subject& subject, const ViewOptions& options, Pa
   std::unique_ptr<ViewModel> model;
   if (subject.isLive()) {
     // The picture has a core of its own.
-    const int threads = threadsFor(subject.scene->particles.count, std::max(1, availableCores() - 1));
+    const int threads = threadsFor(mostParticles(*subject.scene), std::max(1, availableCores() - 1));
     model = std::make_unique<LiveModel>(*subject.scene, threads, pace, session.folder);
   } else {
     model = std::make_unique<RecordedModel>(std::move(subject.runs), options.what, options.recordings, pace);

@@ -3,6 +3,7 @@
 
 #include "app/run_folder.h"
 #include "engine/checkpoint.h"
+#include "engine/core/particle_list.h"
 #include "engine/core/refinement.h"
 #include "engine/core/thread_team.h"
 #include "engine/simulation.h"
@@ -22,7 +23,7 @@ namespace bedmix {
 
 namespace {
 
-int threadsOf(const Scene& scene) { return threadsFor(scene.particles.count, availableCores()); }
+int threadsOf(const Scene& scene) { return threadsFor(mostParticles(scene), availableCores()); }
 
 /// A state that the trajectory holds in double precision.
 struct StoredState {

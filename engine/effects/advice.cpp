@@ -38,7 +38,7 @@ EffectAdvice gasAdvice(const Scene& scene) {
       "relaxation in {} over the fall through the bed, at Re = {:.3g}; below 10 drag takes a tenth of the "
       "fall's speed and matters (by definition; drag after Schiller & Naumann 1933)",
       scene.gas ? "the gas" : "air", reynolds);
-  if (!scene.gas || scene.particles.count == 0) return advice;
+  if (!scene.gas || mostParticles(scene) == 0) return advice;
   const double umf = minimumFluidizationVelocity(scene), fastest = fastestInlet(scene);
   if (!(umf > 0.0)) return advice;
   advice.number = "u/u_mf";
@@ -112,12 +112,12 @@ EffectAdvice virtualMassAdvice(const Scene& scene) {
 
 std::vector<EffectAdvice> effectAdvice(const Scene& scene) {
   std::vector<EffectAdvice> advice;
-  if (scene.gravity > 0.0 && scene.particles.count > 0) {
+  if (scene.gravity > 0.0 && mostParticles(scene) > 0) {
     advice.push_back(gasAdvice(scene));
     advice.push_back(cohesionAdvice(scene));
   }
   if (scene.contacts.friction) advice.push_back(rollingAdvice(scene));
-  if (scene.gas && scene.particles.count > 0) {
+  if (scene.gas && mostParticles(scene) > 0) {
     if (fastestInlet(scene) > 0.0) advice.push_back(liftAdvice(scene));
     advice.push_back(virtualMassAdvice(scene));
   }
