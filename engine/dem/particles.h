@@ -22,8 +22,9 @@ struct Particles {
   std::vector<double> radii;   // m
   std::vector<double> masses;  // kg
   std::vector<std::uint8_t> kinds;
-  /// With virtual mass, else empty: all that forces accelerate, kg, and the radius, m, of a sphere that has so
-  /// much and turns as the particle does. Whoever has set them sets them again when the particles are loaded.
+  /// With virtual mass, else empty: all that forces accelerate, kg, and the radius, m, of a sphere that has
+  /// so much and turns as the particle does. Whoever has set them sets them again when the particles are
+  /// loaded.
   std::vector<double> inert, gyration;
   std::vector<std::int32_t> id;
   std::vector<Vec2> position;  // m
