@@ -314,6 +314,7 @@ bool Simulation::State::load(StateReader& in, std::int64_t stepsPerStep) {
          in.get(report.largestCourant) && in.get(report.lowestVoidage) && in.get(report.aboveGridLargest) &&
          in.get(report.largestSpeed) && in.get(report.largestSpeedParticle) && in.getAll(species) &&
          in.getAll(ids) && solver->load(in) && ids == solver->roster().ids() &&
+         (solver->roster().isDense() || scene.effects.find<FeedSettings>()) &&
          (!chosenStep || chosenStep->load(in)) &&
          (!gas || (gas->solver.load(in) && (!gas->chosenStep || gas->chosenStep->load(in)))) &&
          std::all_of(effects.begin(), effects.end(), [&](const auto& effect) { return effect->load(in); });

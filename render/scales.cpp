@@ -61,7 +61,9 @@ ColorRange colorRange(const Scene& scene, ParticleColor color) {
   if (color == ParticleColor::temperature) return temperatureRange(scene);
   if (color == ParticleColor::content) return {0.0, scene.effects.find<ReactionSettings>()->content};
   if (color == ParticleColor::id)
-    return {0.0, static_cast<double>(std::max<std::int64_t>(scene.particles.count - 1, 1))};
+    return {0.0,
+            std::max(static_cast<double>(scene.particles.count) - 1.0 + feedRate(scene) * scene.time.duration,
+                     1.0)};
   if (color != ParticleColor::spin) return {};
   const double spin = roundUp(0.4 * typicalSpeed(scene) / scene.particles.diameter);
   return {-spin, spin};

@@ -6,6 +6,7 @@
 #include "engine/core/walls.h"
 #include "engine/dem/particle_solver.h"
 #include "engine/dem/particle_step.h"
+#include "engine/dem/room.h"
 #include "engine/dem/wall_shape.h"
 
 #include <fmt/format.h>
@@ -39,32 +40,6 @@ struct Lattice {
   std::int64_t columns = 0;
   std::int64_t rows = 0;
   std::vector<std::int64_t> sites;  // that are free, row by row
-};
-
-/// What keeps sites from being free.
-class Room {
- public:
-  explicit Room(const Scene& scene) : obstacles_(wallShapes(obstacleWalls(scene))) {
-    for (std::size_t o = 0; o < obstacles_.size(); ++o)
-      if (scene.obstacles[o].shape == ObstacleShape::drum) {
-        drum_ = obstacles_[o];
-        obstacles_.erase(obstacles_.begin() + static_cast<std::ptrdiff_t>(o));
-        break;
-      }
-  }
-
-  bool isAll() const { return obstacles_.empty() && !drum_; }
-  const std::optional<WallShape>& drum() const { return drum_; }
-  /// Whether nothing comes nearer than `reach` (m) to the point.
-  bool isFree(Vec2 at, double reach) const {
-    if (drum_ && std::sqrt(drum_->distance2(at)) + reach > drum_->radius) return false;
-    return std::all_of(obstacles_.begin(), obstacles_.end(),
-                       [&](const WallShape& o) { return std::sqrt(o.distance2(at)) > o.radius + reach; });
-  }
-
- private:
-  std::vector<WallShape> obstacles_;
-  std::optional<WallShape> drum_;
 };
 
 double highestFloor(const Scene& scene) {

@@ -16,6 +16,8 @@ class Roster {
   explicit Roster(std::vector<std::int32_t> unsorted = {});
 
   const std::vector<std::int32_t>& ids() const { return ids_; }
+  /// Whether they count up from 0, as where nobody has come or gone.
+  bool isDense() const { return isDense_; }
   /// Of one that is there.
   std::size_t rowOf(std::int32_t id) const { return isDense_ ? static_cast<std::size_t>(id) : find(id); }
 

@@ -9,7 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
+#include <limits>
 
 namespace bedmix {
 
@@ -37,6 +37,7 @@ FeedStage::FeedStage(const EffectContext& context)
     : context_(context),
       feed_(*context.scene.effects.find<FeedSettings>()),
       kinds_(particleKinds(context.scene)),
+      room_(context.scene),
       interval_(intervalOf(context.scene)),
       streams_(feed_.streams.size()),
       next_(static_cast<std::int32_t>(context.solver.particles().size())) {}
@@ -85,7 +86,8 @@ void FeedStage::letIn(std::size_t s, PopulationChange& change) {
   const FeedStream& how = feed_.streams[s];
   for (Stream& stream = streams_[s]; stream.owed >= 1.0; stream.owed -= 1.0) {
     const std::size_t there = context_.solver.particles().size() - change.gone.size() + change.come.size();
-    if (there >= static_cast<std::size_t>(feed_.most)) return;
+    if (there >= static_cast<std::size_t>(feed_.most) || next_ == std::numeric_limits<std::int32_t>::max())
+      return;
     const std::uint8_t kind = *kindNamed(context_.scene, how.species);
     Rng rng(context_.scene.seed ^ (ownSequence * static_cast<std::uint64_t>(next_)));
     const double diameter = diameterAt(kinds_[kind], rng.uniform());
@@ -119,25 +121,28 @@ bool FeedStage::findRoom(std::size_t s, const PopulationChange& change, Newcomer
   for (const Newcomer& other : change.come) look(other.position, other.radius);
 
   for (int attempt = 0; attempt < attempts; ++attempt) {
-    Rng rng(context_.scene.seed ^ (ownSequence * (s + 1)) ^ static_cast<std::uint64_t>(streams_[s].tries++));
+    Rng rng(context_.scene.seed ^ (ownSequence * (s + 1)) ^ streams_[s].tries++);
     newcomer.position = {rng.uniform(how.from + radius, how.to - radius), how.y};
     const bool touches = std::any_of(near.begin(), near.end(), [&](const Other& other) {
       return norm(period.nearest(other.position - newcomer.position)) < other.radius + radius;
     });
-    if (!touches && !touchesWalls(newcomer)) return true;
+    if (!touches && isWithinBed(newcomer)) return true;
   }
   return false;
 }
 
-bool FeedStage::touchesWalls(const Newcomer& newcomer) const {
+bool FeedStage::isWithinBed(const Newcomer& newcomer) const {
+  const Vec2 at = newcomer.position;
+  if (at.y < floorHeight(context_.scene, at.x) || !room_.isFree(at, newcomer.radius)) return false;
   for (std::size_t w = 0; w < context_.solver.contacts().walls().size(); ++w)
-    if (context_.solver.wallNow(w).distance(newcomer.position) < newcomer.radius) return true;
-  return false;
+    if (context_.solver.wallNow(w).distance(at) < newcomer.radius) return false;
+  return true;
 }
 
 std::int64_t FeedStage::waiting() const {
+  constexpr double most = 1e15;  // told apart
   double owed = 0.0;
-  for (const Stream& stream : streams_) owed += std::floor(stream.owed);
+  for (const Stream& stream : streams_) owed = std::min(most, owed + std::floor(stream.owed));
   return static_cast<std::int64_t>(owed);
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "engine/core/particle_list.h"
+#include "engine/dem/room.h"
 #include "engine/effects/effect_stage.h"
 
 #include <cstdint>
@@ -31,19 +32,20 @@ class FeedStage final : public EffectStage {
 
  private:
   struct Stream {
-    double owed = 0.0;       // particles
-    std::int64_t tries = 0;  // at finding room, so far
+    double owed = 0.0;        // particles
+    std::uint64_t tries = 0;  // at finding room, so far
   };
   using Newcomer = PopulationChange::Newcomer;
   void findGone(PopulationChange& change) const;
   void letIn(std::size_t stream, PopulationChange& change);
   bool findRoom(std::size_t stream, const PopulationChange& change, Newcomer& newcomer);
-  bool touchesWalls(const Newcomer& newcomer) const;
+  bool isWithinBed(const Newcomer& newcomer) const;
   void exchangeInGas(const PopulationChange& change);
 
   EffectContext context_;
   const FeedSettings& feed_;
   std::vector<ParticleKind> kinds_;
+  Room room_;
   double interval_;     // s, at least, from one exchange to the next
   double since_ = 0.0;  // s, since the last one
   std::vector<Stream> streams_;

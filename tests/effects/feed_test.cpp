@@ -123,6 +123,25 @@ TEST(Feed, WhoFindsNoRoomWaits) {
   EXPECT_EQ(still.report().largestOverlap, 0.0);
 }
 
+/// Nobody comes in within an obstacle or below an inclined floor.
+TEST(Feed, OnlyWithinTheBed) {
+  Scene scene = emptyBed();
+  scene.bed.width = 0.2;
+  scene.gravity = 0.0;
+  scene.floor.inclinationDeg = 30.0;
+  scene.obstacles.push_back({.shape = ObstacleShape::circle, .x = 0.04, .y = 0.06, .radius = 0.02});
+  addFeed(scene, 1e4, 100);
+  feedOf(scene).streams[0] = {.rate = 1e4, .from = 0.0, .to = 0.2, .y = 0.06};
+  Simulation simulation = test::simulate(scene);
+  ASSERT_EQ(simulation.advance(20000), std::nullopt);
+  const FramePtr frame = simulation.frame();
+  EXPECT_GE(frame->size(), 4u);
+  for (const Vec2f at : frame->position) {
+    EXPECT_GT(std::hypot(at.x - 0.04, at.y - 0.06), 0.02 + 0.002 - 1e-6);
+    EXPECT_GT(at.y, floorHeight(scene, at.x) + 0.002);
+  }
+}
+
 /// A heap that only its tangential springs hold on a slope: if they were lost as others come and go, it would
 /// set off.
 TEST(Feed, OthersDoNotNotice) {
